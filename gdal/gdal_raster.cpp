@@ -137,7 +137,8 @@ RasterFile read_gdal_raster(const std::filesystem::path& file) {
   const GdalSilence quiet;
   if (!std::filesystem::is_regular_file(file)) throw InputError(file.string() + ": no such file");
   const GdalDataset dataset(gdal().open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
-  if (!dataset) fail(file, "cannot be read as a raster");
+  if (!dataset)
+    fail(file, "cannot be read as a raster: it must be a GeoTIFF, an ASCII grid (.asc) or of another format of GDAL");
   if (gdal().raster_count(dataset.get()) < 1) fail(file, "the raster has no band");
   RasterFile out;
   RasterGrid& raster = out.raster;

@@ -19,6 +19,7 @@
 #include "app/field/field_picture.hpp"
 #include "app/field/field_summary.hpp"
 #include "app/figure/figure_request.hpp"
+#include "app/figure/rsvg.hpp"
 #include "catalogue/output/csv_text.hpp"
 
 namespace leastcost::app {
@@ -93,7 +94,10 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
   if (writes) check_format(format, form.mesh);
-  if (!arguments.figure.empty()) check_drawable(form.mesh);
+  if (!arguments.figure.empty()) {
+    check_drawable(form.mesh);
+    require_converter(figure_format(arguments.figure));
+  }
   catch_interrupts();
   Monitor monitor;
   monitor.stop_requested = interrupted;

@@ -47,22 +47,35 @@ int exit_of(std::vector<std::string> arguments, const fs::path& in, const fs::pa
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
+[[noreturn]] void fail_without(const std::string& program, const std::string& word) {
+  throw HostError(fmt::format(
+      "{0} is needed for .{1} and was not found: install librsvg2-bin, or write .svg and convert that", program, word));
+}
+
+std::string word_of(FigureFormat format) { return format == FigureFormat::pdf ? "pdf" : "png"; }
+
 }  // namespace
+
+void require_converter(FigureFormat format, const std::string& program) {
+  if (format != FigureFormat::pdf && format != FigureFormat::png) return;
+  const TemporaryFolder temporary;
+  const fs::path& passing = temporary.path();
+  write_whole_file(passing / "nothing", "");
+  if (exit_of({program, "--version"}, passing / "nothing", passing / "out", passing / "err") == kNotStarted)
+    fail_without(program, word_of(format));
+}
 
 std::string converted_svg(const std::string& svg, FigureFormat format, double dpi, const std::string& program) {
   const TemporaryFolder temporary;
   const fs::path& passing = temporary.path();
   const fs::path in = passing / "figure.svg", out = passing / "figure", err = passing / "words";
   write_whole_file(in, svg);
-  const std::string word = format == FigureFormat::pdf ? "pdf" : "png";
+  const std::string word = word_of(format);
   // A drawing of a PDF has 72 units per inch, whatever its pixels.
   const std::string resolution = fmt::format("{:g}", dpi);
   const int exit =
       exit_of({program, "--format", word, "--dpi-x", resolution, "--dpi-y", resolution, "--unlimited"}, in, out, err);
-  if (exit == kNotStarted)
-    throw HostError(
-        fmt::format("{0} is needed for .{1} and was not found: install librsvg2-bin, or write .svg and convert that",
-                    program, word));
+  if (exit == kNotStarted) fail_without(program, word);
   if (exit == 0 && fs::file_size(out) > 0) return text_of_file(out);
   std::string reason = text_of_file(err);
   reason = reason.substr(0, reason.find('\n'));

@@ -13,4 +13,7 @@ namespace leastcost::app {
 std::string converted_svg(const std::string& svg, FigureFormat format, double dpi,
                           const std::string& program = "rsvg-convert");
 
+/// Throws HostError where a picture of this format needs that program and it is not there: to be asked before any work.
+void require_converter(FigureFormat format, const std::string& program = "rsvg-convert");
+
 }  // namespace leastcost::app

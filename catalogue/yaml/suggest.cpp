@@ -3,7 +3,9 @@
 #include "catalogue/yaml/suggest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <utility>
 
 #include "problems/formula/edit_distance.hpp"
 
@@ -14,6 +16,26 @@ std::string lower_case(std::string_view text) {
   std::string out(text);
   for (char& c : out) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return out;
+}
+
+/// Other names of what we have a word for.
+std::string synonym(std::string_view word, const std::vector<std::string>& candidates) {
+  using Name = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Name, 11> kOurs = {{{"disc", "ball"},
+                                                  {"disk", "ball"},
+                                                  {"circle", "ball"},
+                                                  {"sphere", "ball"},
+                                                  {"rectangle", "box"},
+                                                  {"cube", "box"},
+                                                  {"cuboid", "box"},
+                                                  {"plane", "euclidean"},
+                                                  {"space", "euclidean"},
+                                                  {"length", "euclidean"},
+                                                  {"distance", "euclidean"}}};
+  for (const auto& [theirs, ours] : kOurs)
+    if (word == theirs && std::find(candidates.begin(), candidates.end(), ours) != candidates.end())
+      return std::string(ours);
+  return "";
 }
 
 bool contains(std::string_view whole, std::string_view part) {
@@ -33,6 +55,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
   constexpr std::size_t kLongestWord = 60;  // the distance is quadratic, and nobody mistypes more than this
   if (word.empty() || word.size() > kLongestWord) return "";
   const std::string wanted = lower_case(word);
+  if (std::string same = synonym(wanted, candidates); !same.empty()) return same;
   std::string best, other_form;
   std::size_t least = std::max<std::size_t>(1, wanted.size() / 3) + 1;
   for (const std::string& candidate : candidates) {

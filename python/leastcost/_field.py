@@ -18,6 +18,7 @@ from ._config import source_of
 from ._cost import Cost, CostMap
 from ._domains import Cloud, Space, Terrain
 from ._errors import InputError, OutputError
+from ._find_path import refuse_mistaken
 from ._mesh import Mesh
 from ._places import end_tuple, is_number, is_on_face
 from ._robot import Robot
@@ -244,6 +245,7 @@ def field(
             raise InputError(f"there are no fields on {domain!r}: they are over two coordinates, or on a mesh")
         if source is None:
             raise InputError("source is missing: where the field is from")
+        refuse_mistaken(cost, obstacles)
         own = domain
         places = _several(source, domain)
         if not places:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _leastcost
 from ._arrays import seconds
 from ._config import source_of
@@ -65,6 +67,7 @@ def find_path(
     Ctrl-C and errors: as of run(). What the function raises comes out as it is; so does KeyboardInterrupt within it.
     """
     robot = domain if isinstance(domain, Robot) else None
+    refuse_mistaken(cost, obstacles)
     if cost is None:
         cost = "euclidean"
     if callable(cost):
@@ -90,6 +93,14 @@ def find_path(
     if initializer is not None:
         config["initializer"] = initializer
     return Result(_leastcost.run(source_of(config, set=set), seconds(max_seconds)))
+
+
+def refuse_mistaken(cost: Any, obstacles: Any) -> None:
+    """Says what was meant by an array of costs and by an obstacle alone."""
+    if isinstance(cost, np.ndarray):
+        raise InputError(f"cost is an array of shape {cost.shape}; costs per cell are lc.CostMap(values, cell=30)")
+    if isinstance(obstacles, Mapping):
+        raise InputError("obstacles is one obstacle; give a list of them: [lc.obstacle.ball(...)]")
 
 
 def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:

@@ -141,15 +141,25 @@ def register_solver(
     """Gives a solver written in Python a name in configurations, beside newton and lbfgs.
 
         @lc.register_solver("descent")
-        def descent(chain, *, rate=0.1, steps=200):
+        def descent(chain, *, steps=1000, rate=0.001):
             points = chain.points
+            _, gradient = chain.value_and_gradient(points)
             for _ in range(steps):
-                value, gradient = chain.value_and_gradient(points)
-                points = chain.retract(points, -rate * gradient)
+                moved = chain.retract(points, -rate * gradient)
+                value, slope = chain.value_and_gradient(moved)
+                if value == np.inf:  # too far
+                    rate /= 10
+                    continue
+                step, turned = moved - points, slope - gradient
+                if not turned.any():
+                    break
+                rate = min(4 * rate, (step**2).sum() / abs((step * turned).sum()))  # Barzilai and Borwein
+                points, gradient = moved, slope
             return points
 
-    The function takes a Chain and its options, and returns points, (n, d). The certificate measures them as those of
-    any other solver. Budgets and Ctrl-C are heard whenever the chain is asked for something.
+    The energy is steep, and steeper with more points: steps of a fixed length seldom converge, and gradients alone need
+    many steps. The function takes a Chain and its options, and returns points, (n, d). The certificate measures them as
+    those of any other solver. Budgets and Ctrl-C are heard whenever the chain is asked for something.
 
     name, options: as of register_cost(). Meshes and other domains of faces are refused: there coordinates do not say
       in which face a point is.
@@ -218,7 +228,9 @@ def _like(values: Any, shape: tuple[int, ...], has: str, returned_by: str) -> ND
     if array.shape != shape:
         raise InputError(f"{has} the shape {array.shape}; it must be {shape}")
     if returned_by and not np.isfinite(array).all():
-        raise InputError(f"{returned_by} returned points that are not finite")
+        raise InputError(
+            f"{returned_by} returned points that are not finite: take shorter steps where the energy is infinite"
+        )
     return array
 
 

@@ -189,6 +189,9 @@ class Result:
         """The picture that `leastcost figure` makes, as SVG. width: mm; font_size: pt. To restyle one, see plot().
 
         Raises InputError where that size leaves no room, or where there is no path."""
+        for name, value in (("width", width), ("font_size", font_size)):
+            if not isinstance(value, (int, float)):
+                raise TypeError(f"{name} is a number, {'mm' if name == 'width' else 'pt'}, not {value!r}")
         return _leastcost.figure(self._outcome, float(width), float(font_size))
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:

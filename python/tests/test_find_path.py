@@ -80,6 +80,10 @@ def test_shapes_are_refused_in_words():
         lc.find_path(lc.Plane(), chute, 3, (1, 0))
     with pytest.raises(lc.InputError, match="has no faces"):
         lc.find_path(lc.Plane(), chute, (3, (1, 0, 0)), (1, 0))
+    with pytest.raises(lc.InputError, match=r"cost is an array of shape \(5, 5\); costs per cell are lc.CostMap"):
+        lc.find_path(lc.Plane(), np.ones((5, 5)), (1, 1), (4, 4))
+    with pytest.raises(lc.InputError, match="obstacles is one obstacle; give a list"):
+        lc.find_path(lc.Plane(), None, (0, 0), (1, 0), obstacles=lc.obstacle.ball(center=[1, 1], radius=0.1))
     with pytest.raises(lc.InputError, match="are of a function"):
         lc.find_path(lc.Plane(), "euclidean", (0, 0), (1, 0), additive=True)
 

@@ -469,3 +469,19 @@ def test_a_study(tmp_path):
     assert {row["solver"] for row in good} == {"newton", "t_descent"}
     assert good[0]["cost"] == pytest.approx(good[2]["cost"], rel=1e-6)
     assert all("ZeroDivisionError: on purpose" in row["message"] for row in rows if row["problem"] == "bad")
+
+
+def test_a_solver_without_a_path_is_a_failed_cell_of_a_study(tmp_path):
+    @lc.register_solver("t_gives_up")
+    def gives_up(chain):
+        raise ArithmeticError("on purpose")
+
+    @lc.register_solver("t_not_finite")
+    def not_finite(chain):
+        return np.full_like(chain.points, np.nan)
+
+    study = {"problems": [{"name": "wave", "config": WAVE}], "solvers": ["t_gives_up", "t_not_finite"], "points": [8]}
+    rows = lc.run_study(study, tmp_path / "study").rows
+    assert [row["outcome"] for row in rows] == ["error", "error"]
+    assert "ArithmeticError: on purpose" in rows[0]["message"] and "not finite" in rows[1]["message"]
+    assert all(row["cost"] is None or np.isnan(row["cost"]) for row in rows)

@@ -219,6 +219,23 @@ TEST_CASE("figure: a view is read back as its angles, also from straight above")
   }
 }
 
+TEST_CASE("figure: a path under a roof is seen from below, one on it from above") {
+  Scene scene;
+  scene.dimension = 3;
+  scene.surface.vertices = {{-1, -1, 0},    {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                            {-1, -1, -0.3}, {1, -1, -0.3}, {1, 1, -0.3}, {-1, 1, -0.3}};
+  scene.surface.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 5}, {0, 5, 1}, {1, 5, 6},
+                             {1, 6, 2}, {2, 6, 7}, {2, 7, 3}, {3, 7, 4}, {3, 4, 0}};
+  const auto path_at = [&](double height) {
+    scene.lines.path.resize(3, 20);
+    for (Index i = 0; i < 20; ++i)
+      scene.lines.path.col(i) = Eigen::Vector3d(-0.4 + 0.04 * static_cast<double>(i), 0.1, height);
+    return app::choose_view(scene).direction()[2];
+  };
+  CHECK(path_at(-0.05) < 0);
+  CHECK(path_at(0.001) > 0);
+}
+
 TEST_CASE("figure: of a robot the poses and the way of its hand, which its files have too") {
   const ScratchDir dir;
   const std::string svg = figure_of(dir, kFigureBody, {"--what", "path,obstacles,legend"});
@@ -347,6 +364,9 @@ TEST_CASE("figure: PDF and PNG by rsvg-convert, in words where it is not") {
   const app::Figure figure{"<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10mm\" height=\"10mm\"/>"};
   CHECK_THROWS_WITH(app::converted_svg(figure.svg, app::FigureFormat::pdf, 300, "no-such-converter"),
                     Contains("no-such-converter is needed for .pdf and was not found: install librsvg2-bin"));
+  CHECK_THROWS_WITH(app::require_converter(app::FigureFormat::png, "no-such-converter"),
+                    Contains("no-such-converter is needed for .png and was not found"));
+  CHECK_NOTHROW(app::require_converter(app::FigureFormat::svg, "no-such-converter"));
   CHECK_THROWS_WITH(app::converted_svg(figure.svg, app::FigureFormat::png, 300, "false"),
                     Contains("false could not make the .png"));
   try {

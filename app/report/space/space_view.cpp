@@ -189,8 +189,8 @@ SpaceView choose_view(const Scene& scene) {
     double score(double part_seen) const { return part_seen + large + side + liking; }
   };
   std::vector<Candidate> candidates;
-  // Degrees above the horizon, and how much they are liked.
-  constexpr std::array<std::array<double, 2>, 3> kElevations = {{{28, 0.06}, {50, 0.03}, {8, 0}}};
+  // Degrees above the horizon, and how much they are liked: from below only where much more of the path is seen there.
+  constexpr std::array<std::array<double, 2>, 4> kElevations = {{{28, 0.06}, {50, 0.03}, {8, 0}, {-28, -0.3}}};
   for (const auto& [elevation, liking] : kElevations) {
     for (int k = 0; k < kAround; ++k) {
       const SpaceView view = view_from({360 * (k + 0.3) / kAround, elevation}, scene.up);
