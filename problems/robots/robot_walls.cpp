@@ -221,18 +221,6 @@ double RobotWalls::rounding(const Vector& a, const Vector& b) const {
   return kOfLengths * (size_ + farthest_ * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
 }
 
-void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
-  found.clear();
-  thread_local RobotPose pose;
-  thread_local std::vector<Pair> pairs;
-  pose.place(*robot_, x);
-  pairs.clear();
-  const double within = std::max(0.0, reach);
-  pairs_within(
-      pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
-  add_near(pose, pairs, reach, found);
-}
-
 void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,
                             std::vector<Wall>& found) const {
   thread_local RobotPose pose;
@@ -254,20 +242,6 @@ void RobotWalls::add_near(const RobotPose& pose, const std::vector<Pair>& pairs,
     if (!(gap < reach)) continue;
     found.push_back({pair.number, gap, slope(pose, pair, nearest), pair.required / pair.steepest});
     found.back().slope /= pair.steepest;
-  }
-}
-
-void RobotWalls::gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const {
-  thread_local RobotPose pose;
-  thread_local std::vector<Pair> pairs;
-  pose.place(*robot_, x);
-  pairs.clear();
-  pairs_within(
-      pose, [&](int i) { return reach * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
-  found.clear();
-  for (const Pair& pair : pairs) {
-    const double gap = (between(pose, pair).distance - pair.required) / pair.steepest;
-    if (gap < reach) found.push_back({pair, gap});
   }
 }
 

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
+#include "problems/robots/robot_walls_moves.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <deque>
 #include <utility>
 
-#include <leastcost/problems/robots/robot_walls.hpp>
 #include "problems/robots/least_value.hpp"
 #include "problems/robots/move_sieve.hpp"
 #include "problems/robots/robot_walls_parts.hpp"
 
-// RobotWalls on moves, and on those of a chain.
+// RobotWalls: what is near a place, on a move, and on those of a chain.
 
 namespace leastcost {
 using robot_walls::kDecided, robot_walls::kOfLengths, robot_walls::kShareOfGap, robot_walls::kUnbounded;
@@ -22,6 +23,32 @@ constexpr double kFollowed = 1e-12, kNearest = 1e-3;  // sizes: how closely that
 constexpr double kPlacesApart = 0.5;                  ///< of what is required: how far a part goes between them
 
 }  // namespace
+
+void RobotWalls::near(const Vector& x, double reach, std::vector<Wall>& found) const {
+  found.clear();
+  thread_local RobotPose pose;
+  thread_local std::vector<Pair> pairs;
+  pose.place(*robot_, x);
+  pairs.clear();
+  const double within = std::max(0.0, reach);
+  pairs_within(
+      pose, [&](int i) { return within * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
+  add_near(pose, pairs, reach, found);
+}
+
+void RobotWalls::gaps_within(const Vector& x, double reach, std::vector<PairGap>& found) const {
+  thread_local RobotPose pose;
+  thread_local std::vector<Pair> pairs;
+  pose.place(*robot_, x);
+  pairs.clear();
+  pairs_within(
+      pose, [&](int i) { return reach * bodies_[static_cast<std::size_t>(i)].steepest; }, pairs);
+  found.clear();
+  for (const Pair& pair : pairs) {
+    const double gap = (between(pose, pair).distance - pair.required) / pair.steepest;
+    if (gap < reach) found.push_back({pair, gap});
+  }
+}
 
 MoveClearance RobotWalls::clearance(const Vector& a, const Vector& b) const {
   MoveClearance least;

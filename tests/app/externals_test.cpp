@@ -214,7 +214,6 @@ TEST_CASE("configurations in memory: errors are at their subscripts") {
              Contains("config['obstacles'][0]['type']: error: unknown obstacle 'bal' (did you mean 'ball'?)"));
   CHECK_THAT(errors_of(plane_with("obstacles", ConfigValue::List{Block{{"type", "Disc"}}})),
              Contains("unknown obstacle 'Disc' (did you mean 'ball'?)"));
-  CHECK_THAT(errors_of(plane_with("manifold", "plane")), Contains("(did you mean 'euclidean'?)"));
   CHECK_THAT(errors_of(plane_with("kernel", ConfigValue())),
              Contains("config['kernel']: error: 'kernel' has no value: remove the key"));
   CHECK_THAT(errors_of(plane_with("cost", "euclidean")), Contains("config['cost']: error: duplicate key 'cost'"));
