@@ -98,8 +98,8 @@ CellResult solved(const StudyCell& cell, RunRow row) {
   }
   row.outcome = outcome::kOk;
   fill_result(run, row);
-  const bool threw = run.result.solve.termination == Termination::exception ||
-                     run.result.solve.termination == Termination::non_finite;
+  const bool threw =
+      run.result.solve.termination == Termination::exception || run.result.solve.termination == Termination::non_finite;
   if (threw && !std::isfinite(run.result.curve.cost)) {  // no path came back
     row.outcome = outcome::kError;
     row.cost.reset();
