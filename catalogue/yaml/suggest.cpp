@@ -21,7 +21,7 @@ std::string lower_case(std::string_view text) {
 /// Other names of what we have a word for.
 std::string synonym(std::string_view word, const std::vector<std::string>& candidates) {
   using Name = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array<Name, 11> kOurs = {{{"disc", "ball"},
+  static constexpr std::array<Name, 10> kOurs = {{{"disc", "ball"},
                                                   {"disk", "ball"},
                                                   {"circle", "ball"},
                                                   {"sphere", "ball"},
@@ -30,8 +30,7 @@ std::string synonym(std::string_view word, const std::vector<std::string>& candi
                                                   {"cuboid", "box"},
                                                   {"plane", "euclidean"},
                                                   {"space", "euclidean"},
-                                                  {"length", "euclidean"},
-                                                  {"distance", "euclidean"}}};
+                                                  {"length", "euclidean"}}};
   for (const auto& [theirs, ours] : kOurs)
     if (word == theirs && std::find(candidates.begin(), candidates.end(), ours) != candidates.end())
       return std::string(ours);

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import numbers
 import os
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -190,7 +191,7 @@ class Result:
 
         Raises InputError where that size leaves no room, or where there is no path."""
         for name, value in (("width", width), ("font_size", font_size)):
-            if not isinstance(value, (int, float)):
+            if not isinstance(value, numbers.Real):
                 raise TypeError(f"{name} is a number, {'mm' if name == 'width' else 'pt'}, not {value!r}")
         return _leastcost.figure(self._outcome, float(width), float(font_size))
 

@@ -484,4 +484,4 @@ def test_a_solver_without_a_path_is_a_failed_cell_of_a_study(tmp_path):
     rows = lc.run_study(study, tmp_path / "study").rows
     assert [row["outcome"] for row in rows] == ["error", "error"]
     assert "ArithmeticError: on purpose" in rows[0]["message"] and "not finite" in rows[1]["message"]
-    assert all(row["cost"] is None or np.isnan(row["cost"]) for row in rows)
+    assert all(row["status"] in (None, "") and (row["cost"] is None or np.isnan(row["cost"])) for row in rows)

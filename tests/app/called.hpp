@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -9,6 +10,8 @@
 #include <vector>
 
 #include "app/cli/command_line.hpp"
+#include "tests/support/catch.hpp"
+#include "tests/support/data.hpp"
 
 namespace leastcost::test {
 
@@ -29,6 +32,16 @@ inline Called call(std::vector<std::string> arguments) {
 inline std::string text_file(const std::filesystem::path& file, const std::string& text) {
   std::ofstream(file) << text;
   return file.string();
+}
+
+/// The numbers of a .npy file of doubles, in their order: of a lattice the northernmost row first.
+inline std::vector<double> npy_numbers(const std::filesystem::path& file) {
+  constexpr std::size_t kHeader = 128;
+  const std::string bytes = content(file);
+  REQUIRE(bytes.size() > kHeader);
+  std::vector<double> numbers((bytes.size() - kHeader) / sizeof(double));
+  std::memcpy(numbers.data(), bytes.data() + kHeader, numbers.size() * sizeof(double));
+  return numbers;
 }
 
 }  // namespace leastcost::test

@@ -19,16 +19,6 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// Of a .npy file of doubles, the northernmost row first.
-std::vector<double> lattice_numbers(const fs::path& file) {
-  constexpr std::size_t kHeader = 128;
-  const std::string bytes = content(file);
-  REQUIRE(bytes.size() > kHeader);
-  std::vector<double> numbers((bytes.size() - kHeader) / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data() + kHeader, numbers.size() * sizeof(double));
-  return numbers;
-}
-
 /// Costs of the hills of configs/data with a CRS and a corner, and what gdalinfo says of the field over them.
 struct OnHills {
   ScratchDir dir;
@@ -47,7 +37,7 @@ struct OnHills {
       CAPTURE(called.err);
       REQUIRE(called.exit == 0);
     }
-    values = lattice_numbers(dir / "f.npy");
+    values = npy_numbers(dir / "f.npy");
     info = Json::parse(output_of("gdalinfo -json '" + (dir / "f.tif").string() + "'"));
   }
 

@@ -30,16 +30,6 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 using Json = nlohmann::json;
 
-/// The numbers of an array of doubles with one axis.
-std::vector<double> npy_numbers(const fs::path& file) {
-  constexpr std::size_t kHeader = 128;
-  const std::string bytes = content(file);
-  REQUIRE(bytes.size() > kHeader);
-  std::vector<double> numbers((bytes.size() - kHeader) / sizeof(double));
-  std::memcpy(numbers.data(), bytes.data() + kHeader, numbers.size() * sizeof(double));
-  return numbers;
-}
-
 /// A square of two triangles folded along its diagonal, and a triangle apart.
 const char* const kFold = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 9 0 0\nv 9 1 0\nv 9 0 1\nf 1 2 3\nf 2 4 3\nf 5 6 7\n";
 

@@ -66,8 +66,9 @@ struct Counts {
   int pairs = 0, unproved = 0, wrong = 0;
 };
 
-/// Pairs of places on lattices of 2^`levels` cells to an edge of the coarse meshes.
-Counts compare_lattices(Random& random, Shape shape, int meshes, int levels) {
+/// Pairs of places on lattices of 2^`levels` cells to an edge of the coarse meshes, with so many windows per face at
+/// most.
+Counts compare_lattices(Random& random, Shape shape, int meshes, int levels, std::int64_t windows) {
   Counts counts;
   for (int k = 0; k < meshes; ++k) {
     const PolygonSoup soup = coarse_shape(random, shape);
@@ -88,7 +89,7 @@ Counts compare_lattices(Random& random, Shape shape, int meshes, int levels) {
         const double truth = static_cast<double>(reference.distance(i, j));
         if (!(truth > 0) || std::isinf(truth)) continue;
         const ExactResult found =
-            search.shortest(end(i), end(j), workspace, {.max_windows = 100 * std::int64_t(fine.face_count())});
+            search.shortest(end(i), end(j), workspace, {.max_windows = windows * fine.face_count()});
         ++counts.pairs;
         counts.unproved += found.is_proved() ? 0 : 1;
         const double rounding = 1e-12 * (truth + coarse.diameter());
@@ -106,7 +107,7 @@ TEST_CASE("exact: lattices, turned and scaled, are proved, and as long as by bru
   const Shape shape = GENERATE(Shape::flat, Shape::steps, Shape::box);
   CAPTURE(static_cast<int>(shape));
   Random random(31);
-  const Counts counts = compare_lattices(random, shape, test::trials(8), 4);
+  const Counts counts = compare_lattices(random, shape, test::trials(8), 4, 40);
   CHECK(counts.pairs > (kSanitized ? 10 : 200));
   CHECK(counts.unproved == 0);
   CHECK(counts.wrong == 0);
@@ -116,7 +117,7 @@ TEST_CASE("exact: many lattices, fine ones", "[.slow]") {
   const Shape shape = GENERATE(Shape::flat, Shape::steps, Shape::box);
   CAPTURE(static_cast<int>(shape));
   Random random(977);
-  const Counts counts = compare_lattices(random, shape, 15, 5);
+  const Counts counts = compare_lattices(random, shape, 15, 5, 100);  // one pair takes 64
   CHECK(counts.unproved == 0);
   CHECK(counts.wrong == 0);
 }

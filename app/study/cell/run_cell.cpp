@@ -96,14 +96,12 @@ CellResult solved(const StudyCell& cell, RunRow row) {
     row.solver_error.reset();
     return {row, {}};
   }
-  row.outcome = outcome::kOk;
-  fill_result(run, row);
-  const bool threw =
-      run.result.solve.termination == Termination::exception || run.result.solve.termination == Termination::non_finite;
-  if (threw && !std::isfinite(run.result.curve.cost)) {  // no path came back
-    row.outcome = outcome::kError;
-    row.cost.reset();
-    row.optimum_error.reset();
+  const Termination end = run.result.solve.termination;
+  if ((end == Termination::exception || end == Termination::non_finite) && !std::isfinite(run.result.curve.cost)) {
+    row.outcome = outcome::kError;  // no path came back
+  } else {
+    row.outcome = outcome::kOk;
+    fill_result(run, row);
   }
   return {row, trace_of(run.result.solve.history, row)};
 }

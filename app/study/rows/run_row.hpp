@@ -16,7 +16,8 @@ inline constexpr const char* kConfigurationError = "configuration_error";
 inline constexpr const char* kInputError = "input_error";
 inline constexpr const char* kNoPath = "no_path";
 inline constexpr const char* kCannotSolve = "cannot_solve";  ///< the solver says beforehand that it cannot
-inline constexpr const char* kError = "error";               ///< an exception that nobody expected
+inline constexpr const char* kError =
+    "error";  ///< an exception that nobody expected, or a solver that returned no path
 inline constexpr const char* kCrash = "crash";
 inline constexpr const char* kTimeout = "timeout";
 inline constexpr const char* kMemory = "memory";
