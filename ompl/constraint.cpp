@@ -4,13 +4,13 @@
 
 #include <ompl/base/Constraint.h>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -73,7 +73,7 @@ class DomainConstraint final : public ob::Constraint {
   Points normals(const CoordinatePath& foot) const {
     Points tangents;
     domain_->tangent_bases(foot, tangents);
-    const Points q = Eigen::HouseholderQR<Points>(tangents).householderQ();
+    const Points q = orthogonal_factor(tangents);
     return q.rightCols(q.cols() - tangents.cols());
   }
 

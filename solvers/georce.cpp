@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/solvers/georce.hpp>
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include <leastcost/framework/energy/stopping.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "solvers/best_by_cost.hpp"
 #include "solvers/limit_fields.hpp"
 
@@ -90,13 +90,13 @@ class GeorceSolve {
     Eigen::VectorXd right = -2 * (path_.u.rightCols(1) - path_.u.col(0));
     inverse_.resize(d_, d_ * moves_);
     for (Index t = 0; t < moves_; ++t) {
-      const Eigen::LLT<Eigen::MatrixXd> cholesky(metric(t));
-      if (cholesky.info() != Eigen::Success) return false;
-      inverse_.middleCols(d_ * t, d_) = cholesky.solve(Eigen::MatrixXd::Identity(d_, d_));
+      const std::optional<Eigen::MatrixXd> inverse = inverse_of_definite(metric(t));
+      if (!inverse) return false;
+      inverse_.middleCols(d_ * t, d_) = *inverse;
       sum += inverse_.middleCols(d_ * t, d_);
       right -= inverse_.middleCols(d_ * t, d_) * later.col(t);
     }
-    const Eigen::VectorXd mu = sum.llt().solve(right);
+    const Eigen::VectorXd mu = solve_symmetric(sum, right);
     energy_.count({.linear_solves = 1});
     proposed_.resize(d_, moves_);
     for (Index t = 0; t < moves_; ++t) proposed_.col(t) = -0.5 * inverse_.middleCols(d_ * t, d_) * (mu + later.col(t));
@@ -156,7 +156,7 @@ std::optional<std::string> Georce::cannot_solve(const PathEnergy& energy, const 
   const Index d = metric.rows();
   for (Index t = 0; t < path.segment_count(); ++t) {
     const Points g = metric.middleCols(d * t, d);
-    if (!g.allFinite() || g.llt().info() != Eigen::Success)
+    if (!g.allFinite() || !cholesky_factor(g))
       return "georce needs a metric at every point, but that of this cost is infinite or not definite at point " +
              std::to_string(t) + " of the path";
   }

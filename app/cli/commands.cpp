@@ -3,6 +3,9 @@
 #include "app/cli/commands.hpp"
 
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,7 +15,9 @@
 #include <string_view>
 
 #include <leastcost/app/report/report.hpp>
+#include "app/cli/command_options.hpp"
 #include "app/reference/describe.hpp"
+#include "app/reference/markdown.hpp"
 #include "app/study/rows/journal.hpp"
 #include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
@@ -212,6 +217,60 @@ Exit pages_command(const std::map<std::string, std::string>& pages, const std::s
     return Exit::output;
   }
   return Exit::certified;
+}
+
+void add_validate(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& c = *line.app.add_subcommand(
+      "validate", "Check configurations and print every error with its position, without solving");
+  c.add_option("configs", v.configs, "Configurations (YAML); - reads standard input")
+      ->required()
+      ->type_name("CONFIG...");
+  add_set(c, v);
+  add_format(c, v);
+  c.callback([&] { line.chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), line.streams); }; });
+}
+
+void add_report(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& c = *line.app.add_subcommand("report", "Rebuild report.html from the files of a run or a study");
+  c.add_option("folders", v.configs, "Output folder of a run or a study")->required()->type_name("DIR...");
+  c.callback([&] { line.chosen = [&] { return report_command(v.configs, line.streams); }; });
+}
+
+void add_reference(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& list = *line.app.add_subcommand("list", "List the types that a configuration can use");
+  list.add_option("kind", v.kind,
+                  "manifolds, obstacles, robots, costs, kernels, initializers, solvers, post_processors, formats")
+      ->type_name("KIND");
+  add_format(list, v);
+  list.callback([&] { line.chosen = [&] { return list_command(v.kind, v.json(), line.streams); }; });
+
+  CLI::App& describe = *line.app.add_subcommand(
+      "describe", "Describe every option of a type, of a configuration (describe run) or of a study (describe study)");
+  describe
+      .add_option("kind", v.kind,
+                  "run, study, manifold, obstacle, robot, cost, kernel, initializer, solver, post_processor")
+      ->type_name("KIND");
+  describe.add_option("type", v.type, "Type to describe, e.g. euclidean; without it, all types of the kind")
+      ->type_name("TYPE");
+  describe
+      .add_option("--markdown", v.output,
+                  "Instead: write a Markdown page for each type, each kind, run and study into this folder")
+      ->type_name("DIR")
+      ->check(empty_fault);
+  describe.callback([&] {
+    if (v.kind.empty() == v.output.empty()) throw CLI::ValidationError("describe", "needs a KIND or --markdown DIR");
+    line.chosen = [&] {
+      return v.output.empty() ? describe_command(v.kind, v.type, line.streams)
+                              : pages_command(reference_pages(), v.output, line.streams);
+    };
+  });
+
+  CLI::App& schema =
+      *line.app.add_subcommand("schema", "Print the JSON Schema (draft 7) of configurations and studies, for editors");
+  schema.callback([&] { line.chosen = [&] { return line.streams.out << json_schema(), Exit::certified; }; });
 }
 
 }  // namespace leastcost::app

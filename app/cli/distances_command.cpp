@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -17,6 +20,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
@@ -149,6 +153,42 @@ Exit distances_command(const DistancesArguments& arguments, const Streams& strea
     streams.out << fmt::format("{} vertices are farther than --max-distance {:.10g} or cannot be reached\n",
                                all.not_reached, *arguments.max_distance);
   return exit;
+}
+
+void add_distances(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& distances = *line.app.add_subcommand(
+      "distances", "Compute exact distances on a mesh to all vertices, from one vertex or from the nearest of several");
+  distances.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
+  DistancesArguments& d = v.distances;
+  distances
+      .add_option("--from", d.from,
+                  "Vertex number in the file, from 0, or a text file of vertex numbers; can be repeated")
+      ->required()
+      ->type_name("VERTEX");
+  distances.add_flag(
+      "--weld", v.weld,
+      "First merge vertices at equal positions; --weld=1e-6: also those no farther apart than this, in length units");
+  distances.add_option("--max-distance", d.max_distance, "Go no farther than this, in length units")
+      ->check(CLI::PositiveNumber);
+  distances.add_option("--max-seconds", d.max_seconds, "Stop after this time, in seconds; default: no limit")
+      ->check(CLI::PositiveNumber);
+  distances
+      .add_option("--max-memory", d.max_memory, "Stop before windows take more memory than this, in GB; default: 1.8")
+      ->check(CLI::PositiveNumber);
+  distances.add_option("--max-windows", d.max_windows, "Stop after this many windows; default: no limit")
+      ->check(CLI::PositiveNumber);
+  distances.add_flag("-q,--quiet", v.quiet, "Print no progress");
+  add_output(distances, v, "Write to this file: .csv, .vtp or .ply; default: CSV on standard output", "FILE");
+  distances.callback([&] {
+    line.chosen = [&] {
+      v.distances.mesh = v.mesh;
+      v.distances.output = v.output;
+      v.distances.weld = v.weld;
+      v.distances.quiet = v.quiet;
+      return distances_command(v.distances, line.streams);
+    };
+  });
 }
 
 }  // namespace leastcost::app

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -11,6 +14,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/mesh/mesh_report.hpp>
 #include <leastcost/problems/readers/mesh_reader.hpp>
+#include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "catalogue/output/json_numbers.hpp"
 
@@ -165,6 +169,17 @@ Exit doctor_command(const std::string& file, const std::string& weld, bool json,
   const MeshReport report = inspect(mesh);
   streams.out << (json ? report_json(mesh, report) : report_text(mesh, report));
   return has_faults(report) ? Exit::input : Exit::certified;
+}
+
+void add_doctor(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& doctor = *line.app.add_subcommand("doctor", "Report the faults of a mesh, and what it needs for a solve");
+  doctor.add_option("mesh", v.mesh, "OBJ, OFF, PLY or STL file")->required()->type_name("MESH");
+  doctor.add_flag(
+      "--weld", v.weld,
+      "First merge vertices at equal positions; --weld=1e-6: also those no farther apart than this, in length units");
+  add_format(doctor, v);
+  doctor.callback([&] { line.chosen = [&] { return doctor_command(v.mesh, v.weld, v.json(), line.streams); }; });
 }
 
 }  // namespace leastcost::app

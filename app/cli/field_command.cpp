@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -12,6 +15,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
+#include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/written_places.hpp"
@@ -132,6 +136,62 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     streams.err << e.what() << "; nothing was written\n";
     return Exit::interrupted;
   }
+}
+
+void add_field(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& c = *line.app.add_subcommand(
+      "field", "Compute the least cost from a place, or from the nearest of several, to every cell or node");
+  c.footer(
+      "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps. On a mesh "
+      "they are its vertices, and the values are exact.\n"
+      "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
+      "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the path from there to a place\n"
+      "  leastcost field map.yaml -o c.asc --corridor             the extra cost of a path through each node\n"
+      "  leastcost field map.yaml --figure f.pdf --to 20,7        a picture for a paper, with the path\n"
+      "  leastcost field mesh.yaml -o f.ply --from 12 --to 700    from a vertex of a mesh, and the path to another");
+  c.add_option("config", v.config,
+               "Configuration (YAML); - reads standard input, with files relative to the current folder")
+      ->required()
+      ->type_name("CONFIG");
+  add_set(c, v);
+  add_format(c, v);
+  add_output(c, v, "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); on a mesh .csv, .npy, .vtp or .ply",
+             "FILE");
+  c.add_option("--figure", v.field.figure, "Draw the field over a lattice for a paper: .svg, .pdf or .png")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  add_look(c, v);
+  c.add_option("--from", v.field.from,
+               "Place (on a mesh X,Y,Z or the number of a vertex), or text file with one place per line; can be "
+               "repeated; default: the configuration's source")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
+  c.add_option("--to", v.field.to, "Also find the path from there to this place; can be repeated, or a text file")
+      ->type_name("X,Y")
+      ->allow_extra_args(false);
+  c.add_option("--way", v.field.ways, "Write the points of these paths to this CSV file")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  c.add_option("--resolution", v.field.resolution, "Grid spacing, in length units");
+  c.add_flag("--to-here", v.field.to_here, "Compute costs of travelling to the given places instead of from them");
+  c.add_flag("--corridor", v.field.corridor,
+             "Instead of costs: the extra cost of a path from the source to the target forced through each node");
+  c.callback([&] {
+    if (v.output.empty() && v.field.figure.empty())
+      throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");
+    read_option("--figure", [&] {
+      if (!v.field.figure.empty()) check_picture_file(v.field.figure);
+    });
+    read_look(v.figure, read_option, v.field.picture);
+    line.chosen = [&] {
+      v.field.config = v.config;
+      v.field.overrides = v.overrides();
+      v.field.output = v.output;
+      v.field.json = v.json();
+      return field_command(v.field, line.streams);
+    };
+  });
 }
 
 }  // namespace leastcost::app

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <algorithm>
 #include <filesystem>
@@ -8,6 +11,7 @@
 #include <ostream>
 #include <utility>
 
+#include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/init/templates.hpp"
 #include "app/reference/describe.hpp"
@@ -86,6 +90,23 @@ Exit init_command(const std::string& name, const std::string& path, bool force, 
   if (path != "-") return write_starter(*found, configuration_file(*found, path), force, streams);
   streams.out << found->text;
   return Exit::certified;
+}
+
+void add_init(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& init = *line.app.add_subcommand(
+      "init", "Write a commented starting configuration that runs, or, without a name, print the list of templates");
+  init.footer(
+      "Each template becomes a folder: the configuration, the sample data that it reads, and leastcost.schema.json, "
+      "which the first line of the configuration names, for editors with the YAML language server. Files that exist "
+      "are not overwritten.\n"
+      "  leastcost init mesh                      mesh/mesh.yaml, ...\n"
+      "  leastcost init mesh -o work/first.yaml   work/first.yaml, ...\n"
+      "  leastcost init mesh -o -                 the configuration alone, on standard output");
+  init.add_option("template", v.name, "Name of the template")->type_name("TEMPLATE");
+  add_output(init, v, "Folder, or a .yaml file in it; default: the name of the template", "PATH");
+  init.add_flag("--force", v.force, "Overwrite files that exist");
+  init.callback([&] { line.chosen = [&] { return init_command(v.name, v.output, v.force, line.streams); }; });
 }
 
 }  // namespace leastcost::app

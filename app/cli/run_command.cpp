@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
 #include <filesystem>
 #include <new>
@@ -8,6 +11,7 @@
 #include <ostream>
 #include <utility>
 
+#include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
 #include "app/cli/progress.hpp"
@@ -15,7 +19,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/run_origin.hpp"
-#include "catalogue/yaml/said_of.hpp"
+#include "framework/base/said_of.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -75,7 +79,7 @@ Verdict verdict_on_exception(const Streams& streams) {
     const Diagnostics& d = e.diagnostics();
     return {Exit::configuration, "configuration_error", e.what(), d.render(streams.color) + d.count() + "\n"};
   } catch (const OptionError& e) {
-    return verdict(Exit::configuration, "configuration_error", said_of(in_quotes(e.key()), e.what()));
+    return verdict(Exit::configuration, "configuration_error", said_of(in_quotes(e.key()), e.reason()));
   } catch (const InputError& e) {
     return verdict(Exit::input, "input_error", e.what());
   } catch (const InitializationError& e) {
@@ -94,6 +98,13 @@ Verdict verdict_on_exception(const Streams& streams) {
     return verdict(Exit::internal, "internal_error", "an unknown exception", "internal: ", " (please report this)");
   }
 }
+
+constexpr const char* kPairsHelp =
+    "Many pairs of ends: a CSV file, one pair per line. The header is source,target for vertex numbers, or\n"
+    "source_x,source_y,..,target_x,.. for points, with the coordinate names of the domain. Other columns are ignored.\n"
+    "Each pair, valid or not, becomes one line of paths.jsonl, in the order of the file. Exit codes: 0 all pairs\n"
+    "certified, 5 all pairs have a path, 7 some have none, 130 interrupted (resume with --resume), others as for\n"
+    "one path";
 
 }  // namespace
 
@@ -137,6 +148,46 @@ Exit exit_of_exception(const Streams& streams, bool json) {
   streams.err << verdict.message;
   streams.out << without_result(json, verdict.status, verdict.reason);
   return verdict.exit;
+}
+
+void add_run(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& c = *line.app.add_subcommand(
+      "run", "Find a least-cost path, or one for each of many pairs of ends, and write the results");
+  c.footer(kPairsHelp);
+  c.add_option("config", v.config,
+               "Configuration (YAML); - reads standard input, with files relative to the current folder")
+      ->required()
+      ->type_name("CONFIG");
+  add_set(c, v);
+  c.add_option("--format", v.format, "text or json; with many pairs also jsonl: the lines of paths.jsonl")
+      ->check(CLI::IsMember({"text", "json", "jsonl"}))
+      ->type_name("FORMAT");
+  add_output(c, v, "Output folder; default: results/<name>", "DIR");
+  c.add_option("--pairs", v.pairs, "Find a path for each pair in this CSV file, instead of the configuration's ends")
+      ->type_name("FILE")
+      ->check(empty_fault);
+  c.add_option("-j,--jobs", v.parallel, "With many pairs: number of threads")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  auto* resume = c.add_flag("--resume", v.resume, "With many pairs: resume an interrupted or killed run");
+  c.add_flag("--force", v.force, "Replace the output folder of an earlier run")->excludes(resume);
+  c.add_flag("-n,--dry-run", v.dry_run,
+             "Check everything, including input files, and print the plan; solve and write nothing");
+  auto* quiet = c.add_flag("-q,--quiet", v.quiet, "Print no progress");
+  c.add_flag("-v,--verbose", v.verbose, "Print more about the result")->excludes(quiet);
+  c.callback([&] {
+    line.chosen = [&] {
+      RunArguments run{
+          {v.config, v.overrides(), v.output, v.force, line.arguments}, v.dry_run, v.json(), Verbosity::normal};
+      if (v.quiet) run.verbosity = Verbosity::quiet;
+      if (v.verbose) run.verbosity = Verbosity::verbose;
+      run.json_lines = v.json_lines();
+      run.resume = v.resume;
+      run.threads = v.parallel;
+      return run_command(run, line.streams);
+    };
+  });
 }
 
 }  // namespace leastcost::app

@@ -8,7 +8,7 @@
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "catalogue/run/run_origin.hpp"
-#include "catalogue/yaml/said_of.hpp"
+#include "framework/base/said_of.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -33,7 +33,7 @@ auto saying(const FieldPlace& place, Work work) {
   try {
     return work();
   } catch (const OptionError& e) {
-    throw InputError(said_of(place.words, e.what()));
+    throw InputError(said_of(place.words, e.reason()));
   }
 }
 

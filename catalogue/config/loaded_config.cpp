@@ -3,7 +3,7 @@
 #include "catalogue/config/loaded_config.hpp"
 
 #include <cstddef>
-#include "catalogue/yaml/said_of.hpp"
+#include "framework/base/said_of.hpp"
 
 namespace leastcost {
 

@@ -116,7 +116,7 @@ void SceneObjects::add(SceneBlock& block, const std::function<Made()>& make, con
     Made made = make();
     if (errors_.size() == before) all_.push_back(std::move(made));
   } catch (const OptionError& e) {
-    block.fault(e.key(), e.what());
+    block.fault(e.key(), e.reason());
   } catch (const InputError& e) {
     block.fault(file, std::string("cannot be read: ") + e.what());
   }

@@ -21,7 +21,6 @@
 #include "catalogue/run/run_clock.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
-#include "catalogue/yaml/said_of.hpp"
 
 namespace leastcost {
 namespace {
@@ -85,7 +84,7 @@ void find(const Run& run, const PairRow& row, const PairsOptions& options, PairR
     try {
       found.parts = run.origin->pairs->compose(row.source, row.target, run.parts);
     } catch (const OptionError& e) {
-      return refuse("bad_pair", said_of(e.key(), e.what()));
+      return refuse("bad_pair", e.what());
     }
     if (are_one_place(found.parts.problem)) return add_one_place(found.parts.problem, options.points, out);
     search(found, run.max_seconds, monitor);

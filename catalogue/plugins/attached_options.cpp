@@ -139,13 +139,13 @@ std::shared_ptr<const Robot> attach(std::shared_ptr<const Robot> robot, const st
                          .shape = shape_of(given, folder),
                          .touches = given.touches});
     } catch (const OptionError& error) {
-      throw OptionError("attached." + std::to_string(i) + "." + error.key(), error.what());
+      throw error.under("attached." + std::to_string(i));
     }
   }
   try {
     return with_attached(*robot, objects);
   } catch (const OptionError& error) {
-    throw OptionError("attached." + error.key(), error.what());
+    throw error.under("attached");
   }
 }
 

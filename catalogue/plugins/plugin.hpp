@@ -118,7 +118,7 @@ auto on_plugin(const PluginChoice& choice, Step step) {
   try {
     return step(static_cast<const Plugin<Made>&>(*choice.plugin));
   } catch (const OptionError& e) {
-    throw OptionError(choice.path + "." + e.key(), e.what());
+    throw e.under(choice.path);
   }
 }
 

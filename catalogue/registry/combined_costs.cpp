@@ -23,7 +23,7 @@ auto on_part(const PluginChoice& choice, const std::string& key, Step step) {
   try {
     return step(static_cast<const CostPlugin&>(*choice.plugin), *choice.options);
   } catch (const OptionError& e) {
-    throw OptionError(key + "." + e.key(), e.what());
+    throw e.under(key);
   }
 }
 

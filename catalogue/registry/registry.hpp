@@ -9,7 +9,7 @@
 
 namespace leastcost {
 
-/// Everything that the library has for configurations: one registration line per plug-in, in registry.cpp.
+/// Everything that the library has for configurations: kind by kind (built_in.hpp).
 std::vector<PluginKind> built_in_kinds();
 
 /// Everything that a configuration can name: that, then what the program has registered until now (register.hpp). The

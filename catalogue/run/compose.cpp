@@ -66,7 +66,7 @@ TrajectoryOptions trajectory_of(const RunConfig& config, const Problem& problem,
     check_trajectory(problem, wanted);
     return wanted;
   } catch (const OptionError& error) {
-    throw OptionError("output.trajectory." + std::string(error.key()), error.what());
+    throw error.under("output.trajectory");
   } catch (const InputError& error) {
     throw OptionError("output.trajectory", error.what());
   }
@@ -430,7 +430,7 @@ RunParts Composer::take() {
 
 void check_parts(LoadedConfig& loaded) {
   Composer(loaded.config, loaded.folder, [&](const OptionError& e) {
-    loaded.add_error(e.key(), e.what());
+    loaded.add_error(e.key(), e.reason());
   }).make_from_options();
 }
 

@@ -30,7 +30,7 @@ PathEnd with_path(const std::string& path, Place place) {
   try {
     return place();
   } catch (const OptionError& e) {
-    throw OptionError(path + "." + e.key(), e.what());
+    throw e.under(path);
   }
 }
 

@@ -20,7 +20,7 @@ NamedFrame frame_of(const ToolPose& tool, const Robot& robot) {
   try {
     return find_frame(robot, tool.link);
   } catch (const OptionError& error) {
-    throw OptionError("ends.target.tool.link", error.what());
+    throw OptionError("ends.target.tool.link", error.reason());
   }
 }
 
@@ -40,7 +40,8 @@ ToolGoal goal_of(const ToolPose& tool, const Robot& robot) {
     pose = pose_of(tool.pose, space);
   } catch (const OptionError& error) {  // "pose.rpy"
     const std::string& key = error.key();
-    throw OptionError("ends.target.tool" + key.substr(std::min(key.size(), std::string("pose").size())), error.what());
+    throw OptionError("ends.target.tool" + key.substr(std::min(key.size(), std::string("pose").size())),
+                      error.reason());
   }
   goal.position = pose.translation();
   const ShapePose& given = tool.pose;

@@ -59,7 +59,7 @@ Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart&
     if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
   };
   stop_at_errors();
-  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.what()); });
+  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.reason()); });
   composer.make_from_options();
   stop_at_errors();
   check_files(loaded);

@@ -31,7 +31,7 @@ std::shared_ptr<const Walls> walls_of(ListedObstacles obstacles, double clearanc
     if (robot != nullptr) return std::make_shared<const RobotWalls>(robot, std::move(obstacles.all), clearance);
     return walls_in(domain, std::move(obstacles.all), clearance);
   } catch (const OptionError& error) {
-    throw OptionError(key_of_fault(error.key(), obstacles.entry_of), error.what());
+    throw OptionError(key_of_fault(error.key(), obstacles.entry_of), error.reason());
   }
 }
 

@@ -61,9 +61,8 @@ class RangeCheck final : public FieldVisitor {
     std::string range =
         bounded ? (doc.exclusive_minimum ? "greater than " : "at least ") + short_number(doc.minimum, 6) : "";
     if (std::isfinite(doc.maximum)) range += (bounded ? " and at most " : "at most ") + short_number(doc.maximum, 6);
-    const std::string path = path_of(key);
-    throw OptionError(path,
-                      path + " must be " + (range.empty() ? "a number" : range) + ", not " + short_number(value, 6));
+    throw OptionError(path_of(key),
+                      "must be " + (range.empty() ? "a number" : range) + ", not " + short_number(value, 6));
   }
 
   std::string prefix_;

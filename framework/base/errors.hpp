@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include <leastcost/framework/base/said_of.hpp>
+
 namespace leastcost {
 
 /// Root of everything the library throws on purpose. A numerical outcome is never an exception: it is a value in
@@ -15,15 +17,23 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// An option has a value that cannot work. `key` is the path of the option below the object that was being built
-/// ("matrix", "box.lower"); the application adds file, line and column.
+/// An option has a value that cannot work. what() is a sentence about it, "memory must be at least 1, not 0"; key() and
+/// reason() are its two halves, for an application that adds file, line and column.
 class OptionError : public Error {
  public:
-  OptionError(std::string key, const std::string& message) : Error(message), key_(std::move(key)) {}
-  const std::string& key() const { return key_; }  ///< the option at fault, with dots: "ends.source.point"
+  /// `key`: the path of the option below the object that was being built ("matrix", "box.lower"); empty: the object
+  /// itself. `reason` begins with its verb where it can ("must be ...", see said_of()).
+  OptionError(std::string key, std::string reason)
+      : Error(key.empty() ? reason : said_of(key, reason)), key_(std::move(key)), reason_(std::move(reason)) {}
+  const std::string& key() const { return key_; }        ///< the option at fault, with dots: "ends.source.point"
+  const std::string& reason() const { return reason_; }  ///< what() without the key
+
+  /// The same error for who built the object from the options under `block`: "matrix" becomes "metric.matrix".
+  OptionError under(const std::string& block) const { return {key_.empty() ? block : block + "." + key_, reason_}; }
 
  private:
   std::string key_;
+  std::string reason_;
 };
 
 /// Input data (a file, a mesh, an end point) is unreadable or invalid. The message names the place (file:line or

@@ -2,50 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/framework/energy/chain_system.hpp>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 
 #include "framework/base/symmetric_eigen.hpp"
+#include "framework/energy/block_kernels.hpp"
 
 namespace leastcost {
 namespace {
 
 constexpr Index kLook = 64;  ///< blocks between two looks at the clock
 
-template <int K>
-using Block = Eigen::Matrix<double, K, K>;
-
-/// In-place Cholesky of a small block: lower triangle of `m`. False when a pivot is not clearly positive.
-template <class Derived>
-bool cholesky(Eigen::MatrixBase<Derived>& m) {
-  const Index k = m.rows();
-  for (Index j = 0; j < k; ++j) {
-    const double original = m(j, j);
-    double pivot = original;
-    for (Index p = 0; p < j; ++p) pivot -= m(j, p) * m(j, p);
-    // A pivot lost to cancellation is as bad as a negative one; NaN fails as well.
-    if (!(pivot > 1e-15 * std::abs(original)) || !std::isfinite(pivot)) return false;
-    m(j, j) = std::sqrt(pivot);
-    for (Index i = j + 1; i < k; ++i) {
-      double sum = m(i, j);
-      for (Index p = 0; p < j; ++p) sum -= m(i, p) * m(j, p);
-      m(i, j) = sum / m(j, j);
-    }
+/// Calls `visit` with the kernels for blocks of k rows. The sizes of planes, surfaces, space, bodies and arms are known
+/// to the compiler.
+template <class Visit>
+auto with_kernels(int k, const Visit& visit) {
+  switch (k) {
+    case 1: return visit(BlockKernels<1>{1});
+    case 2: return visit(BlockKernels<2>{2});
+    case 3: return visit(BlockKernels<3>{3});
+    case 6: return visit(BlockKernels<6>{6});
+    case 7: return visit(BlockKernels<7>{7});
+    default: return visit(BlockKernels<0>{k});
   }
-  return true;
-}
-
-/// m := l^-1 m for a lower triangle, column by column: Eigen's product kernels are made for larger matrices.
-template <class Lower, class Matrix>
-void forward(const Lower& l, Matrix& m) {
-  const Index k = l.rows();
-  for (Index c = 0; c < m.cols(); ++c)
-    for (Index i = 0; i < k; ++i) {
-      double sum = m(i, c);
-      for (Index p = 0; p < i; ++p) sum -= l(i, p) * m(p, c);
-      m(i, c) = sum / l(i, i);
-    }
 }
 
 }  // namespace
@@ -68,116 +46,74 @@ void ChainSystem::add(double factor, const ChainSystem& other) {
   b_ += factor * other.b_;
 }
 
-template <int K>
-bool ChainSystem::factor_blocks(const Deadline& deadline) {
+template <class Kernels>
+bool ChainSystem::factor_blocks(const Kernels& of, const Deadline& deadline) {
   const Index first = ring_ ? 1 : 0;
-  const int k = k_;
-  Block<K> pivot(k, k), border(k, k), schur(k, k);
-  if (ring_) schur = diagonal(0);
-  if (ring_ && n_ == 1) schur += coupling(0) + coupling(0).transpose();  // its only segment joins x_0 with itself
+  const auto at = [this](Points& side_by_side, Index i) { return side_by_side.data() + k_ * k_ * i; };
+  double* const schur = l_.data();  // ring: that of x_0 gathers where its factor will be
+  if (ring_) of.copy(at(a_, 0), schur);
+  if (ring_ && n_ == 1) {  // its only segment joins x_0 with itself
+    of.add(at(b_, 0), schur);
+    of.add_transposed(at(b_, 0), schur);
+  }
   for (Index i = first; i < n_; ++i) {
     if (i % kLook == 0) look_at_clock(deadline);
-    pivot = diagonal(i);
-    if (i > first) {
-      const Eigen::Map<const Block<K>> w(w_.data() + k * k * (i - 1), k, k);
-      pivot.noalias() -= w.transpose() * w;
-    }
-    if (!cholesky(pivot)) return false;
-    Eigen::Map<Block<K>> l(l_.data() + k * k * i, k, k);
-    l = pivot;
+    double* const l = at(l_, i);
+    of.copy(at(a_, i), l);
+    if (i > first) of.subtract_square(at(w_, i - 1), l);
+    if (!of.cholesky(l)) return false;
     if (i + 1 < n_) {
-      Eigen::Map<Block<K>> w(w_.data() + k * k * i, k, k);
-      w = coupling(i);
-      forward(l, w);
+      of.copy(at(b_, i), at(w_, i));
+      of.solve_lower_block(l, at(w_, i));
     }
     if (!ring_) continue;
-    border.setZero();
-    if (i == 1) border += coupling(0).transpose();
-    if (i == n_ - 1) border += coupling(n_ - 1);
-    if (i > 1) {
-      const Eigen::Map<const Block<K>> w(w_.data() + k * k * (i - 1), k, k);
-      const Eigen::Map<const Block<K>> before(border_.data() + k * k * (i - 1), k, k);
-      border.noalias() -= w.transpose() * before;
-    }
-    forward(l, border);
-    Eigen::Map<Block<K>>(border_.data() + k * k * i, k, k) = border;
-    schur.noalias() -= border.transpose() * border;
+    double* const border = at(border_, i);
+    border_.middleCols(k_ * i, k_).setZero();
+    if (i == 1) of.add_transposed(at(b_, 0), border);
+    if (i == n_ - 1) of.add(at(b_, n_ - 1), border);
+    if (i > 1) of.subtract_inner(at(w_, i - 1), at(border_, i - 1), border);
+    of.solve_lower_block(l, border);
+    of.subtract_square(border, schur);
   }
-  if (ring_) {
-    if (!cholesky(schur)) return false;
-    Eigen::Map<Block<K>>(l_.data(), k, k) = schur;
-  }
-  return true;
+  return !ring_ || of.cholesky(schur);
 }
 
 bool ChainSystem::factor(const Deadline& deadline) {
-  switch (k_) {
-    case 1: return factor_blocks<1>(deadline);
-    case 2: return factor_blocks<2>(deadline);
-    case 3: return factor_blocks<3>(deadline);
-    case 6: return factor_blocks<6>(deadline);
-    case 7: return factor_blocks<7>(deadline);
-    default: return factor_blocks<Eigen::Dynamic>(deadline);
-  }
+  return with_kernels(k_, [&](const auto& of) { return factor_blocks(of, deadline); });
 }
 
-template <int K>
-void ChainSystem::solve_lower_blocks(Eigen::VectorXd& x) const {
-  using Vector = Eigen::Matrix<double, K, 1>;
+template <class Kernels>
+void ChainSystem::solve_lower_blocks(const Kernels& of, double* x) const {
   const Index first = ring_ ? 1 : 0;
-  const int k = k_;
-  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
-  const auto part = [k, &x](Index i) { return Eigen::Map<Vector>(x.data() + k * i, k); };
+  const auto at = [this](const Points& side_by_side, Index i) { return side_by_side.data() + k_ * k_ * i; };
   for (Index i = first; i < n_; ++i) {
-    Eigen::Map<Vector> y = part(i);
-    if (i > first) y.noalias() -= at(w_, i - 1).transpose() * part(i - 1);
-    at(l_, i).template triangularView<Eigen::Lower>().solveInPlace(y);
-    if (ring_) part(0).noalias() -= at(border_, i).transpose() * y;
+    double* const y = x + k_ * i;
+    if (i > first) of.add_transposed_product(-1, at(w_, i - 1), y - k_, y);
+    of.solve_lower(at(l_, i), y);
+    if (ring_) of.add_transposed_product(-1, at(border_, i), y, x);
   }
-  if (!ring_) return;
-  Eigen::Map<Vector> y = part(0);
-  at(l_, 0).template triangularView<Eigen::Lower>().solveInPlace(y);
+  if (ring_) of.solve_lower(at(l_, 0), x);
 }
 
-template <int K>
-void ChainSystem::solve_upper_blocks(Eigen::VectorXd& x) const {
-  using Vector = Eigen::Matrix<double, K, 1>;
+template <class Kernels>
+void ChainSystem::solve_upper_blocks(const Kernels& of, double* x) const {
   const Index first = ring_ ? 1 : 0;
-  const int k = k_;
-  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
-  const auto part = [k, &x](Index i) { return Eigen::Map<Vector>(x.data() + k * i, k); };
-  if (ring_) {
-    Eigen::Map<Vector> y = part(0);
-    at(l_, 0).transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
-  }
+  const auto at = [this](const Points& side_by_side, Index i) { return side_by_side.data() + k_ * k_ * i; };
+  if (ring_) of.solve_upper(at(l_, 0), x);
   for (Index i = n_ - 1; i >= first; --i) {
-    Eigen::Map<Vector> y = part(i);
-    if (i + 1 < n_) y.noalias() -= at(w_, i) * part(i + 1);
-    if (ring_) y.noalias() -= at(border_, i) * part(0);
-    at(l_, i).transpose().template triangularView<Eigen::Upper>().solveInPlace(y);
+    double* const y = x + k_ * i;
+    if (i + 1 < n_) of.add_product(-1, at(w_, i), y + k_, y);
+    if (ring_) of.add_product(-1, at(border_, i), x, y);
+    of.solve_upper(at(l_, i), y);
   }
 }
 
 void ChainSystem::solve_lower(Eigen::VectorXd& x) const {
-  switch (k_) {
-    case 1: return solve_lower_blocks<1>(x);
-    case 2: return solve_lower_blocks<2>(x);
-    case 3: return solve_lower_blocks<3>(x);
-    case 6: return solve_lower_blocks<6>(x);
-    case 7: return solve_lower_blocks<7>(x);
-    default: return solve_lower_blocks<Eigen::Dynamic>(x);
-  }
+  with_kernels(k_, [&](const auto& of) { solve_lower_blocks(of, x.data()); });
 }
 
 void ChainSystem::solve_upper(Eigen::VectorXd& x) const {
-  switch (k_) {
-    case 1: return solve_upper_blocks<1>(x);
-    case 2: return solve_upper_blocks<2>(x);
-    case 3: return solve_upper_blocks<3>(x);
-    case 6: return solve_upper_blocks<6>(x);
-    case 7: return solve_upper_blocks<7>(x);
-    default: return solve_upper_blocks<Eigen::Dynamic>(x);
-  }
+  with_kernels(k_, [&](const auto& of) { solve_upper_blocks(of, x.data()); });
 }
 
 void ChainSystem::solve(Eigen::VectorXd& x) const {
@@ -185,32 +121,21 @@ void ChainSystem::solve(Eigen::VectorXd& x) const {
   solve_upper(x);
 }
 
-template <int K>
-void ChainSystem::multiply_blocks(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  using Vector = Eigen::Matrix<double, K, 1>;
-  const int k = k_;
-  const auto at = [k](const Points& m, Index i) { return Eigen::Map<const Block<K>>(m.data() + k * k * i, k, k); };
-  y.setZero(size());
+template <class Kernels>
+void ChainSystem::multiply_blocks(const Kernels& of, const double* x, double* y) const {
+  const auto at = [this](const Points& side_by_side, Index i) { return side_by_side.data() + k_ * k_ * i; };
   for (Index i = 0; i < n_; ++i) {
-    const Eigen::Map<const Vector> here(x.data() + k * i, k);
-    Eigen::Map<Vector> out(y.data() + k * i, k);
-    out.noalias() += at(a_, i) * here;
+    of.add_product(1, at(a_, i), x + k_ * i, y + k_ * i);
     const Index j = i + 1 < n_ ? i + 1 : 0;
     if (j == 0 && !ring_) continue;
-    out.noalias() += at(b_, i) * Eigen::Map<const Vector>(x.data() + k * j, k);
-    Eigen::Map<Vector>(y.data() + k * j, k).noalias() += at(b_, i).transpose() * here;
+    of.add_product(1, at(b_, i), x + k_ * j, y + k_ * i);
+    of.add_transposed_product(1, at(b_, i), x + k_ * i, y + k_ * j);
   }
 }
 
 void ChainSystem::multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y) const {
-  switch (k_) {
-    case 1: return multiply_blocks<1>(x, y);
-    case 2: return multiply_blocks<2>(x, y);
-    case 3: return multiply_blocks<3>(x, y);
-    case 6: return multiply_blocks<6>(x, y);
-    case 7: return multiply_blocks<7>(x, y);
-    default: return multiply_blocks<Eigen::Dynamic>(x, y);
-  }
+  y.setZero(size());
+  with_kernels(k_, [&](const auto& of) { multiply_blocks(of, x.data(), y.data()); });
 }
 
 ChainSystem::Elimination ChainSystem::eliminate(const Deadline& deadline) const {

@@ -69,14 +69,14 @@ class ChainSystem {
   };
   Elimination eliminate(const Deadline& deadline) const;
 
-  template <int K>
-  bool factor_blocks(const Deadline& deadline);
-  template <int K>
-  void solve_lower_blocks(Eigen::VectorXd& x) const;
-  template <int K>
-  void solve_upper_blocks(Eigen::VectorXd& x) const;
-  template <int K>
-  void multiply_blocks(const Eigen::VectorXd& x, Eigen::VectorXd& y) const;
+  template <class Kernels>
+  bool factor_blocks(const Kernels& of, const Deadline& deadline);
+  template <class Kernels>
+  void solve_lower_blocks(const Kernels& of, double* x) const;
+  template <class Kernels>
+  void solve_upper_blocks(const Kernels& of, double* x) const;
+  template <class Kernels>
+  void multiply_blocks(const Kernels& of, const double* x, double* y) const;
 
   int k_ = 0;
   Index n_ = 0;

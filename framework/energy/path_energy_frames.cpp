@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
 
 #include <leastcost/framework/energy/path_energy.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "framework/domain/in_parts.hpp"
 
 namespace leastcost {
@@ -16,11 +15,7 @@ constexpr Index kPointsAtOnce = 256;  ///< points between two looks at the clock
 int turn_to_end(Eigen::Ref<Points> basis, const Points& directions, int count) {
   const Index k = basis.cols();
   const Points inside = basis.transpose() * directions.leftCols(count);
-  const Eigen::ColPivHouseholderQR<Points> qr(inside);
-  int rank = 0;
-  const Index most = std::min<Index>(count, k);
-  while (rank < most && std::abs(qr.matrixR()(rank, rank)) > 1e-9) ++rank;
-  const Points q = qr.householderQ();
+  const auto [q, rank] = ranked_factor(inside, 1e-9);
   Points turned(basis.rows(), k);
   turned.leftCols(k - rank) = basis * q.rightCols(k - rank);
   turned.rightCols(rank) = basis * q.leftCols(rank);
@@ -32,7 +27,7 @@ int turn_to_end(Eigen::Ref<Points> basis, const Points& directions, int count) {
 /// least-squares multipliers of -g = N lambda, dropping the most negative one until all are positive.
 int keep_pushed(Points& normals, int count, const Eigen::VectorXd& descent) {
   while (count > 0) {
-    const Eigen::VectorXd lambda = normals.leftCols(count).colPivHouseholderQr().solve(descent);
+    const Eigen::VectorXd lambda = least_squares(normals.leftCols(count), descent);
     Index worst = 0;
     if (lambda.minCoeff(&worst) > 0) break;
     normals.col(worst) = normals.col(count - 1);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "framework/newton/bundle.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -106,7 +106,7 @@ bool toward_affine_minimum(const Eigen::MatrixXd& gram, const Eigen::VectorXd& p
   g.diagonal().array() += ridge;
   Eigen::MatrixXd sides(k, 2);
   sides << Eigen::VectorXd::Ones(k), penalties(support);
-  const Eigen::MatrixXd solved = g.ldlt().solve(sides);
+  const Eigen::MatrixXd solved = solve_symmetric(g, sides);
   const Eigen::VectorXd goal = (1 + solved.col(1).sum()) / solved.col(0).sum() * solved.col(0) - solved.col(1);
   double t = 1;
   Index leaves = -1;

@@ -15,9 +15,7 @@ using Eigen::Index;
 using Points = Eigen::MatrixXd;  ///< one column per point
 
 /// The diagonal of the box around points, in their units: the scale beside which a length is small.
-inline double extent_of(const Points& points) {
-  return (points.rowwise().maxCoeff() - points.rowwise().minCoeff()).norm();
-}
+double extent_of(const Points& points);
 
 /// Where on a piecewise domain a point is: the triangle of a mesh, kNoSite elsewhere. A position on an edge does not
 /// say which face it belongs to, and the site makes the next projection O(1).

@@ -131,7 +131,7 @@ std::shared_ptr<const SegmentCost> make_end_effector_length(const EndEffectorLen
   try {
     cost.table = std::visit(JointsOf{}, options.model);
   } catch (const OptionError& error) {
-    throw OptionError("model." + error.key(), error.what());
+    throw error.under("model");
   }
   if (cost.table.rows.rows() != dim)
     throw OptionError("model", "has " + std::to_string(cost.table.rows.rows()) +

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/kinetic_energy.hpp>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -85,16 +84,13 @@ std::vector<LinkInertia> links_of(const Eigen::MatrixXd& numbers) {
     const std::string which = "link " + std::to_string(i + 1);
     if (!row.allFinite() || !(link.mass >= 0))
       throw OptionError("links", which + " must have finite numbers, and a mass of at least 0");
-    const Eigen::VectorXd moments = symmetric_eigenvalues(link.about_center);
+    const SymmetricEigen eigen = symmetric_eigen(link.about_center);
+    const Eigen::VectorXd& moments = eigen.values;
     if (moments.minCoeff() < -1e-12 * std::abs(moments.maxCoeff()))
       throw OptionError("links", which +
                                      " has moments of inertia below 0: as a matrix [xx, xy, xz; xy, yy, yz; xz, yz, "
                                      "zz] about the centre it must have no negative eigenvalue");
-    // Robust where some moments are 0, those of a point or a rod.
-    const Eigen::LDLT<Eigen::Matrix3d> ldlt(link.about_center);
-    const Eigen::Matrix3d lower = ldlt.matrixL();
-    link.root = ldlt.transpositionsP().transpose() *
-                Eigen::Matrix3d(lower * ldlt.vectorD().cwiseMax(0).cwiseSqrt().asDiagonal());
+    link.root = eigen.vectors * moments.cwiseMax(0).cwiseSqrt().asDiagonal();
     links.push_back(link);
   }
   return links;
@@ -280,7 +276,7 @@ std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyO
                                 " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
     check_moves_mass(cost);
   } catch (const OptionError& error) {
-    throw OptionError(error.key().empty() ? "model" : "model." + error.key(), error.what());
+    throw error.under("model");
   }
   return std::make_shared<const KineticEnergyCost>(std::move(cost), dim);
 }

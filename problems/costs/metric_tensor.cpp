@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/costs/metric_tensor.hpp>
 
-#include <Eigen/Cholesky>
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -52,7 +52,7 @@ class MetricTensorCost final : public SegmentCostOf<MetricTensor<D>, ConstantMet
 
  public:
   explicit MetricTensorCost(const Eigen::MatrixXd& m)
-      : Base({m, Eigen::MatrixXd(m.llt().matrixU())}, static_cast<int>(m.rows())) {}
+      : Base({m, cholesky_factor(m).value()}, static_cast<int>(m.rows())) {}
   Eigen::MatrixXd metric() const override { return this->function().m; }
 };
 
@@ -65,7 +65,7 @@ void check_matrix(const Eigen::MatrixXd& m, int dim) {
   if (!m.allFinite()) throw OptionError("matrix", "entries must be finite");
   if ((m - m.transpose()).cwiseAbs().maxCoeff() > 1e-12 * m.cwiseAbs().maxCoeff())
     throw OptionError("matrix", "a metric tensor must be symmetric, but this matrix is not");
-  if (m.llt().info() != Eigen::Success)
+  if (!cholesky_factor(m))
     throw OptionError("matrix", "a metric tensor must be positive definite, but this matrix is not");
 }
 

@@ -250,7 +250,7 @@ struct IndexMaker {
     try {
       return FormulaIndex{Formula(formulas_of_option("n", {o.n}, coordinate_names(dim), o.parameters))};
     } catch (const OptionError& error) {
-      throw OptionError("index." + error.key(), error.what());
+      throw error.under("index");
     }
   }
 };

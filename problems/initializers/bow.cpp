@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/initializers/bow.hpp>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "framework/domain/in_parts.hpp"
 
 namespace leastcost {
@@ -19,8 +19,7 @@ constexpr Index kSegments = 64;
 Eigen::VectorXd across(const Eigen::VectorXd& line, double angle) {
   const Index d = line.size();
   if (d == 2) return Eigen::Vector2d(-line[1], line[0]).normalized() * std::cos(angle);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(line);
-  const Eigen::MatrixXd q = qr.householderQ();
+  const Eigen::MatrixXd q = orthogonal_factor(line);
   return std::cos(angle) * q.col(1) + std::sin(angle) * q.col(2);
 }
 

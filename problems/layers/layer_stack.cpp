@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/layers/layer_stack.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/base/counted.hpp"
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -52,7 +52,7 @@ LayerStack::LayerStack(const Eigen::MatrixXd& normals, const Eigen::VectorXd& of
       throw OptionError("normals", "number " + std::to_string(k + 1) + " has no direction");
     normals_.col(k) /= length;
     offsets_[k] /= length;
-    const Eigen::MatrixXd q = Eigen::HouseholderQR<Eigen::MatrixXd>(normals_.col(k)).householderQ();
+    const Eigen::MatrixXd q = orthogonal_factor(normals_.col(k));
     tangents_.emplace_back(q.rightCols(normals_.rows() - 1));
   }
   parallel_ = (normals_.colwise() - Eigen::VectorXd(normals_.col(0))).isZero(0);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "problems/manifolds/bounded_level_set.hpp"
 
-#include <Eigen/QR>
 #include <limits>
 #include <utility>
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -82,7 +82,7 @@ int BoundedLevelSet::most_pulling(const Eigen::VectorXd& outside, const Eigen::V
   Eigen::VectorXd free_off = off;
   for (Index i = 0; i < x.size(); ++i)
     if (held[static_cast<std::size_t>(i)] != 0) free.row(i).setZero(), free_off[i] = 0;
-  off -= gradients * free.colPivHouseholderQr().solve(free_off);
+  off -= gradients * least_squares(free, free_off);
   int worst = -1;
   double least = 0;
   for (Index i = 0; i < x.size(); ++i) {

@@ -59,7 +59,7 @@ LevelSetPtr named(const constraint::Sphere& sphere, std::optional<int> dimension
   try {
     return std::make_shared<LevelSet>(make_sphere_function(n, sphere.radius));
   } catch (const OptionError& error) {
-    throw OptionError("set." + error.key(), error.what());
+    throw error.under("set");
   }
 }
 

@@ -62,7 +62,7 @@ std::shared_ptr<const LevelSet> make_implicit_manifold(const ImplicitManifoldOpt
   try {
     function = std::visit([](const auto& surface) { return function_of(surface); }, options.surface);
   } catch (const OptionError& error) {
-    throw OptionError("surface." + error.key(), error.what());
+    throw error.under("surface");
   }
   Box box(function->inputs(), options.box);
   if (!box.bounded()) return std::make_shared<LevelSet>(std::move(function));

@@ -3,7 +3,6 @@
 #include <leastcost/problems/manifolds/level_set.hpp>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/drawing/domain_shapes.hpp"
 
@@ -40,14 +40,9 @@ struct State {
       s.noalias() = gradients * (-f[0] / gradients.squaredNorm());
     } else {
       constexpr double kRank = 1e-12;  // relative to the largest gradient
-      const Index k = f.size();
-      Eigen::ColPivHouseholderQR<Eigen::Matrix<double, N, K>> qr(gradients);
-      qr.setThreshold(kRank);
-      if (qr.rank() < k) return false;
-      s.setZero();
-      s.head(k) = qr.colsPermutation().transpose() * (-f);
-      qr.matrixR().topLeftCorner(k, k).template triangularView<Eigen::Upper>().transpose().solveInPlace(s.head(k));
-      s.applyOnTheLeft(qr.householderQ());
+      const std::optional<Eigen::VectorXd> least = least_norm_solution(gradients, -f, kRank);
+      if (!least) return false;
+      s = *least;
     }
     return s.allFinite();
   }
@@ -119,10 +114,7 @@ void null_space(const ConstraintFunction& function, const Eigen::VectorXd& x, Ei
     basis.col(0) = normal.unitOrthogonal();
     basis.col(1) = normal.cross(Eigen::Vector3d(basis.col(0)));
   } else {
-    const Eigen::HouseholderQR<Points> qr(state.gradients);  // of any size: compiled once
-    basis.setZero();
-    basis.bottomRows(basis.cols()).setIdentity();
-    basis.applyOnTheLeft(qr.householderQ());
+    basis = orthogonal_factor(state.gradients).rightCols(basis.cols());
   }
 }
 

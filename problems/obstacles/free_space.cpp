@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/obstacles/free_space.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/least_push.hpp"
 #include "problems/obstacles/sweep.hpp"
@@ -199,7 +199,7 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
       slopes.col(i) = point.slope(wall);
       off[i] = -room(wall);
     }
-    point.step(slopes.transpose().completeOrthogonalDecomposition().solve(off));
+    point.step(least_squares(slopes.transpose(), off));
   };
   double before = std::numeric_limits<double>::infinity(), best = before;
   int idle = 0;
@@ -479,7 +479,7 @@ bool FreeSpace::bend(const CoordinatePath& path, Index column, const Vector& gra
   while (!found.empty()) {
     Points slopes(x.size(), static_cast<Index>(found.size()));
     for (Index i = 0; i < slopes.cols(); ++i) slopes.col(i) = found[static_cast<std::size_t>(i)].slope;
-    multipliers = slopes.completeOrthogonalDecomposition().solve(gradient);
+    multipliers = least_squares(slopes, gradient);
     Index worst = 0;
     if (multipliers.minCoeff(&worst) > 0) break;
     found.erase(found.begin() + worst);
@@ -586,7 +586,7 @@ std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, cons
     if (holding.empty()) continue;
     Points slopes(gradient.rows(), static_cast<Index>(holding.size()));
     for (Index i = 0; i < slopes.cols(); ++i) slopes.col(i) = point.slope(*holding[static_cast<std::size_t>(i)]);
-    const Vector multipliers = slopes.completeOrthogonalDecomposition().solve(Vector(gradient.col(k)));
+    const Vector multipliers = least_squares(slopes, gradient.col(k));
     for (Index i = 0; i < slopes.cols(); ++i) {
       const Wall& wall = *holding[static_cast<std::size_t>(i)];
       costs[wall.obstacle] += std::max(0.0, multipliers[i]) * margins_.of(wall);

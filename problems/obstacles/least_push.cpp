@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "problems/obstacles/least_push.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
 #include <utility>
+
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -29,8 +30,8 @@ VectorXd onto(const std::vector<WallToClear>& walls, std::vector<std::size_t>& s
       slopes.col(k) = wall.slope;
       missing[k] = wall.missing;
     }
-    VectorXd step = slopes.transpose().completeOrthogonalDecomposition().solve(missing);
-    const VectorXd pushes = slopes.completeOrthogonalDecomposition().solve(step);
+    VectorXd step = least_squares(slopes.transpose(), missing);
+    const VectorXd pushes = least_squares(slopes, step);
     Index pulling = -1;
     for (Index k = 0; k < pushes.size(); ++k)
       if (pushes[k] < 0 && !walls[set[static_cast<std::size_t>(k)]].exactly &&

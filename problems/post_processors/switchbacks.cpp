@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/post_processors/switchbacks.hpp>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,6 +15,7 @@
 #include <leastcost/framework/cost/mixes_moves.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
+#include "framework/base/dense_solves.hpp"
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {
@@ -85,7 +85,7 @@ class Zigzag {
       if (places[k].beside == 0 || !legs) continue;
       Eigen::VectorXd offset = places[k].beside * legs->across.normalized();
       const Index d = path.u.rows(), column = static_cast<Index>(k);
-      if (chart != nullptr) offset = slopes.middleCols(d * column, d).householderQr().solve(offset).eval();
+      if (chart != nullptr) offset = least_squares(slopes.middleCols(d * column, d), offset);
       path.u.col(column) += offset;
     }
     if (!manifold_.project(path).failed.empty()) return std::nullopt;

@@ -174,7 +174,7 @@ std::shared_ptr<const Robot> make_dh_arm(const DhArmOptions& options) {
   try {
     return made(std::visit([](const auto& model) { return model_of(model); }, options.model), options.base);
   } catch (const OptionError& error) {
-    throw OptionError("model." + error.key(), error.what());
+    throw error.under("model");
   }
 }
 

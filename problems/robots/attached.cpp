@@ -58,7 +58,7 @@ class Attacher {
     try {
       frame = find_frame(out_, object.link);
     } catch (const OptionError& error) {
-      throw OptionError(key(i, "link"), error.what());
+      throw OptionError(key(i, "link"), error.reason());
     }
     for (Capsule capsule : object.shape.capsules) {
       capsule.link = frame.link;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "problems/robots/cover_mesh.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {
@@ -29,11 +29,11 @@ Vector3d longest_axis(const std::vector<Vector3d>& points) {
   for (const Vector3d& point : points) center += point / static_cast<double>(points.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vector3d& point : points) spread += (point - center) * (point - center).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Eigen::MatrixXd axes = symmetric_eigen(spread).vectors;
   Vector3d best = Vector3d::UnitX();
   double longest = -1;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3d axis = axes.eigenvectors().col(k);
+    const Vector3d axis = axes.col(k);
     double low = 0, high = 0;
     for (const Vector3d& point : points) {
       low = std::min(low, axis.dot(point - center));

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/robots/covering.hpp>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <set>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/symmetric_eigen.hpp"
 
 namespace leastcost {
 namespace {
@@ -127,11 +127,11 @@ Ends fitted(const Corners& points) {
   for (const Vector3d& point : points) center += point / static_cast<double>(points.size());
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   for (const Vector3d& point : points) spread += (point - center) * (point - center).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
+  const Eigen::MatrixXd axes = symmetric_eigen(spread).vectors;
   Ends best;
   double least = std::numeric_limits<double>::infinity();
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Vector3d axis = axes.eigenvectors().col(k);
+    const Vector3d axis = axes.col(k);
     double low = 0, high = 0, side = 0;
     for (const Vector3d& point : points) {
       const double along = axis.dot(point - center);

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <leastcost/problems/robots/inverse_kinematics.hpp>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -13,6 +11,7 @@
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
 namespace {
@@ -73,7 +72,7 @@ class ToolSolve {
       if (reached(off)) return true;
       const Eigen::MatrixXd normal =
           slope.transpose() * slope + damping * size_ * size_ * Eigen::MatrixXd::Identity(x.size(), x.size());
-      const VectorXd trial = within_limits(x - normal.ldlt().solve(slope.transpose() * off));
+      const VectorXd trial = within_limits(x - solve_symmetric(normal, slope.transpose() * off));
       evaluate(trial, trial_off, trial_slope);
       if (trial_off.squaredNorm() < off.squaredNorm()) {
         x = trial;
@@ -97,7 +96,7 @@ class ToolSolve {
       Eigen::MatrixXd slope;
       evaluate(x, off, slope);
       const VectorXd wish = near - x;
-      const VectorXd free = wish - slope.completeOrthogonalDecomposition().solve(slope * wish);
+      const VectorXd free = wish - least_squares(slope, slope * wish);
       if (free.norm() < 1e-6 * (1 + wish.norm())) return;
       VectorXd trial = within_limits(x + part * free);
       if (solve(trial) && (trial - near).norm() < (x - near).norm())

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "framework/base/dense_solves.hpp"
 #include "problems/taut/polyline_length.hpp"
 
 namespace leastcost {
@@ -52,7 +53,7 @@ Held hold(const Vector3d& bend, double way, std::vector<SupportPlane>& planes) {
     if (!by.empty()) {
       Points normals(3, static_cast<Index>(by.size()));
       for (Index k = 0; k < normals.cols(); ++k) normals.col(k) = by[static_cast<std::size_t>(k)]->normal;
-      const Eigen::VectorXd pushes = normals.colPivHouseholderQr().solve(bend);
+      const Eigen::VectorXd pushes = least_squares(normals, bend);
       if (pushes.minCoeff() < 0) return;  // a larger set with this one in it may still do, but so does one without
       Held held{bend - normals * pushes, 0};
       for (Index k = 0; k < pushes.size(); ++k)

@@ -46,7 +46,7 @@ Made read_robot(ConfigValue::Block block, const std::filesystem::path& folder) {
   try {
     return make<Made>(loaded.config.robot, context);
   } catch (const OptionError& error) {
-    loaded.add_error(error.key(), error.what());
+    loaded.add_error(error.key(), error.reason());
     throw ConfigError(loaded.errors);
   }
 }

@@ -37,7 +37,7 @@ void translate(std::exception_ptr thrown) {
   } catch (const ConfigError& e) {
     raise(e);
   } catch (const OptionError& e) {
-    raise("ConfigError", in_quotes(e.key()) + ": " + e.what());
+    raise("ConfigError", said_of(in_quotes(e.key()), e.reason()));
   } catch (const InputError& e) {
     raise("InputError", e.what());
   } catch (const InitializationError& e) {

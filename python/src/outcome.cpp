@@ -50,7 +50,7 @@ py::dict Outcome::trajectory(std::optional<Eigen::VectorXd> velocity, std::optio
     if (robot != nullptr) options = with_limits_of(*robot, std::move(options));
     motion = make_trajectory(outcome.parts.problem, outcome.result, options);
   } catch (const OptionError& error) {
-    throw InputError(error.key() + " " + error.what());
+    throw InputError(error.what());
   }
   const std::vector<std::string> names =
       robot != nullptr && !robot->joints.empty() ? robot->joints : space_coordinates(*outcome.parts.problem.manifold);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "solvers/ceres/point_manifold.hpp"
 
-#include <Eigen/QR>
 #include <chrono>
 #include <utility>
 
+#include "framework/base/dense_solves.hpp"
 #include "solvers/free_move.hpp"
 
 namespace leastcost {
@@ -38,8 +38,7 @@ Points PointManifold::basis(const CoordinatePath& one) const {
   manifold_.tangent_bases(one, all);
   if (free_.cols() == 0) return all;
   const Points turned = all * (all.transpose() * free_);
-  const Eigen::HouseholderQR<Points> qr(turned);
-  return qr.householderQ() * Points::Identity(turned.rows(), turned.cols());
+  return orthogonal_factor(turned).leftCols(turned.cols());
 }
 
 bool PointManifold::Plus(const double* x, const double* delta, double* x_plus_delta) const {

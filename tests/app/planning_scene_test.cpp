@@ -35,7 +35,7 @@ struct SceneFolder {
     } catch (const InputError& e) {
       return e.what();
     } catch (const OptionError& e) {
-      return e.key() + ": " + e.what();
+      return e.key() + ": " + e.reason();
     }
     return "none";
   }

@@ -79,7 +79,7 @@ std::string refused_weights(const ConstraintManifold& domain, const Eigen::Vecto
     make_weighted_length({weights}, domain);
     return "accepted";
   } catch (const OptionError& error) {
-    return error.key() + ": " + error.what();
+    return error.key() + ": " + error.reason();
   }
 }
 

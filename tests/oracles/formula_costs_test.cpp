@@ -36,7 +36,7 @@ std::string refusal(const std::string& text, const Region& where = kSquare, int 
   try {
     lagrangian(text, where, dim, convexify);
   } catch (const OptionError& error) {
-    return error.key() + ": " + error.what();
+    return error.key() + ": " + error.reason();
   }
   return "";
 }

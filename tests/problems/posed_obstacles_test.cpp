@@ -312,7 +312,7 @@ TEST_CASE("posed obstacles: faults name their option") {
     try {
       make();
     } catch (const OptionError& e) {
-      return e.key() + ": " + e.what();
+      return e.key() + ": " + e.reason();
     }
     return std::string("none");
   };

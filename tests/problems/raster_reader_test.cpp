@@ -168,7 +168,7 @@ TEST_CASE("rasters: fill values that nobody declared are named with the option t
       check_heights(placed(file, options), options);
       return std::string("accepted");
     } catch (const OptionError& error) {
-      return error.key() + ": " + error.what();
+      return error.key() + ": " + error.reason();
     }
   };
   for (const char* fill : {"-32768", "-9999", "32767", "-3.4028235e+38", "1e+38"}) {

@@ -11,7 +11,6 @@
 #include "catalogue/output/csv_text.hpp"
 #include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/run_origin.hpp"
-#include "catalogue/yaml/said_of.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -133,7 +132,7 @@ CellResult run_cell(const StudyCell& cell, long repetition) {
   try {
     return solved(cell, row);
   } catch (const OptionError& e) {
-    return failed(row, outcome::kConfigurationError, said_of(e.key(), e.what()));
+    return failed(row, outcome::kConfigurationError, e.what());
   } catch (const InputError& e) {
     return failed(row, outcome::kInputError, e.what());
   } catch (const StoppedEarly& e) {

@@ -110,13 +110,13 @@ Made make(const Source& source, const SignedDistanceOptions& o, const std::files
   try {
     opened = open(source, folder, progress);
   } catch (const OptionError& error) {
-    throw OptionError("source." + error.key(), error.what());
+    throw error.under("source");
   }
   try {
     const DistanceGridSettings settings{o.cell, o.accuracy, offset_of(source), o.margin, o.memory_limit * kGiB};
     return std::make_shared<SignedDistanceManifold>(build_distance_grid(*opened, settings, progress), opened);
   } catch (const OptionError& error) {
-    throw error.key() == "offset" ? OptionError("source.offset", error.what()) : error;
+    throw error.key() == "offset" ? error.under("source") : error;
   }
 }
 
@@ -266,7 +266,7 @@ void check_signed_distance(const SignedDistanceOptions& options) {
   try {
     std::visit([](const auto& source) { check(source); }, options.source);
   } catch (const OptionError& error) {
-    throw OptionError("source." + error.key(), error.what());
+    throw error.under("source");
   }
 }
 
