@@ -397,8 +397,10 @@ void add_field(CLI::App& app, Values& v, const Streams& streams, Command& chosen
       ->check(empty_fault);
   c.add_option("--resolution", v.field.resolution, "Grid spacing, in length units");
   c.add_flag("--to-here", v.field.to_here, "Compute costs of travelling to the given places instead of from them");
-  c.add_flag("--corridor", v.field.corridor,
-             "Instead of costs: the extra cost of a path from the source to the target forced through each node");
+  c.add_flag(
+      "--corridor", v.field.corridor,
+      "Instead of costs: the extra cost of a path forced through each node, which leads to the place of --to, else to "
+      "the configuration's target");
   c.callback([&] {
     if (v.output.empty() && v.field.figure.empty())
       throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");
