@@ -210,7 +210,8 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
   check_left(places, lattice, field);
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
-  const double factor = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr ? 1 : kFirstOrder;
+  const bool smooth = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
+  const double factor = !smooth ? kFirstOrder : raster ? kOfRasters : 1;
   if (estimates)
     estimate_error(every_second(field.values, lattice),
                    densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), factor,

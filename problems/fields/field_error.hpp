@@ -11,6 +11,8 @@
 namespace leastcost {
 
 inline constexpr double kFirstOrder = 4;  ///< times the difference of two fields is the error, measured
+/// The same over a raster of costs without obstacles, whose costs have kinks between the values.
+inline constexpr double kOfRasters = 2;
 
 /// Sets error, mean_error and unresolved of a field from its values at the nodes that a field on half as many cells has
 /// too; `factor` times their differences. Without common nodes the errors stay as they are.

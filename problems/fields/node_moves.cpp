@@ -42,7 +42,7 @@ bool by_metric(const Element& element, const std::vector<Vector2d>& moves, float
 
 NodeMoves::NodeMoves(const Problem& problem, const Eigen::Matrix2Xd& u, const Vector2d& step)
     : blocked_(static_cast<std::size_t>(u.cols()), 0) {
-  constexpr Eigen::Index kManyNodes = 4'000'000;  // a table of eight parts takes 256 bytes a node
+  constexpr Eigen::Index kManyNodes = 2'000'000;  // a table of sixteen parts takes 512 bytes a node
   divide(kOfMetric, step);
   if (!ask_densities(problem, u) && !ask_elements(problem, u)) {
     if (u.cols() <= kManyNodes) divide(kOfOthers, step);

@@ -21,12 +21,12 @@ inline constexpr std::array<std::array<std::int32_t, 2>, 8> kRing = {
 /// is the same in all directions, a few times where it is a metric, else once per place.
 class NodeMoves {
  public:
-  static constexpr std::size_t kMostParts = 8;
+  static constexpr std::size_t kMostParts = 16;
 
   /// `u`: coordinates of the nodes, 2 x m. `step`: from node to node.
   NodeMoves(const Problem& problem, const Eigen::Matrix2Xd& u, const Eigen::Vector2d& step);
 
-  /// Parts of an edge: two are exact for a metric, whose square is a parabola along an edge; eight where a wind or a
+  /// Parts of an edge: two are exact for a metric, whose square is a parabola along an edge; sixteen where a wind or a
   /// slope makes the cost fall steeply within a few degrees.
   std::size_t parts() const { return parts_; }
   std::size_t directions() const { return kRing.size() * parts_; }
