@@ -61,9 +61,9 @@ struct CostFieldOptions {
 /// The least cost from the nearest of some places (coordinates; at least one) to every node, under the cost of a
 /// problem, in its domain and among its obstacles. The box is that of the domain, else that of a raster of costs, else
 /// one around the ends of the problem with their distance as margin; a problem's ends have no other part in it. Where a
-/// unit of length costs the same in all directions the field is by IsotropicMarch, elsewhere by the line elements at the
-/// nodes (ArrivalField). Both are of second order where the cost is smooth, and of first order beside obstacles and at
-/// kinks of the cost. Throws InputError for rings, for domains without two coordinates and for those that close on
+/// unit of length costs the same in all directions the field is by IsotropicMarch, elsewhere by the line elements at
+/// the nodes (ArrivalField). Both are of second order where the cost is smooth, and of first order beside obstacles and
+/// at kinks of the cost. Throws InputError for rings, for domains without two coordinates and for those that close on
 /// themselves, for places outside and those that no path leaves; OptionError ("resolution"), also for one that leaves
 /// fewer than four cells along a side; Interrupted.
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
