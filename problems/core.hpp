@@ -19,6 +19,7 @@
 #include <leastcost/problems/costs/weighted_length.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
 #include <leastcost/problems/fields/cost_field.hpp>
+#include <leastcost/problems/fields/space_field.hpp>
 #include <leastcost/problems/initializers/bow.hpp>
 #include <leastcost/problems/initializers/cell_graph.hpp>
 #include <leastcost/problems/initializers/coordinate_circle.hpp>

@@ -55,11 +55,11 @@ EndOptions end_of(const std::string& text, const std::string& where, const Place
     return end;
   }
   if (!well || coordinates.size() != form.coordinates)
-    throw InputError(
-        form.mesh
-            ? fmt::format("{}: expected the number of a vertex, from 0, or a point like {}, found '{}'", where,
-                          form.like(), text)
-            : fmt::format("{}: expected two numbers with a comma between them, like 3.5,-2, found '{}'", where, text));
+    throw InputError(form.mesh
+                         ? fmt::format("{}: expected the number of a vertex, from 0, or a point like {}, found '{}'",
+                                       where, form.like(), text)
+                         : fmt::format("{}: expected {} numbers with commas between them, like {}, found '{}'", where,
+                                       form.coordinates == 3 ? "three" : "two", form.like(), text));
   end.point = Eigen::Map<const Eigen::VectorXd>(coordinates.data(), static_cast<Eigen::Index>(coordinates.size()));
   return end;
 }
@@ -97,9 +97,10 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
-  if (writes) check_format(format, form.mesh);
+  const FieldNodes nodes = field_nodes(run.parts.problem);
+  if (writes) check_format(format, nodes);
   if (!arguments.figure.empty()) {
-    check_drawable(form.mesh);
+    check_drawable(nodes);
     require_converter(figure_format(arguments.figure));
   }
   catch_interrupts();
@@ -108,6 +109,8 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   const CostFieldOptions options{.resolution = arguments.resolution, .to_places = arguments.to_here};
   try {
     const std::vector<FieldPlace> to = places_of(arguments.to, "--to", form);
+    if (arguments.corridor && to.size() > 1)
+      throw InputError(fmt::format("--corridor leads to one place: give --to once (found {})", to.size()));
     FieldEnds ends{places_of(arguments.from, "--from", form), {}};
     if (!to.empty()) ends.target = to.front();
     RunField field(run, ends, options, monitor);
@@ -122,8 +125,9 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     }
     std::vector<FieldWay> drawn = ways;
     if (arguments.corridor) {
-      if (!arguments.figure.empty() && ways.empty()) drawn.push_back(field.way(field.target(), monitor));
-      field = field.corridor(field.target(), monitor);
+      const PathEnd leads_to = to.empty() ? field.target() : field.place(to.front());
+      if (!arguments.figure.empty() && ways.empty()) drawn.push_back(field.way(leads_to, monitor));
+      field = field.corridor(leads_to, monitor);
     }
     if (writes && !write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
     if (!arguments.figure.empty())
@@ -175,8 +179,10 @@ void add_field(const CommandLine& line) {
       ->check(empty_fault);
   c.add_option("--resolution", v.field.resolution, "Grid spacing, in length units");
   c.add_flag("--to-here", v.field.to_here, "Compute costs of travelling to the given places instead of from them");
-  c.add_flag("--corridor", v.field.corridor,
-             "Instead of costs: the extra cost of a path from the source to the target forced through each node");
+  c.add_flag(
+      "--corridor", v.field.corridor,
+      "Instead of costs: the extra cost of a path forced through each node, which leads to the place of --to, else to "
+      "the configuration's target");
   c.callback([&] {
     if (v.output.empty() && v.field.figure.empty())
       throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");

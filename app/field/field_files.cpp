@@ -74,6 +74,41 @@ std::string lattice_asc(const CostField& field) {
   return out;
 }
 
+std::string space_csv(const SpaceField& field) {
+  std::string out = "x,y,z,cost\n";
+  for (std::int32_t k = 0; k < field.count[2]; ++k)
+    for (std::int32_t j = 0; j < field.count[1]; ++j)
+      for (std::int32_t i = 0; i < field.count[0]; ++i) {
+        const Eigen::Vector3d x = field.node(i, j, k);
+        fmt::format_to(std::back_inserter(out), "{},{},{},{}\n", x.x(), x.y(), x.z(), field.value(i, j, k));
+      }
+  return out;
+}
+
+std::string space_npy(const SpaceField& field) {
+  std::string out = npy_header(fmt::format("({}, {}, {})", field.count[0], field.count[1], field.count[2]));
+  out.reserve(out.size() + 8 * field.values.size());
+  for (std::int32_t i = 0; i < field.count[0]; ++i)
+    for (std::int32_t j = 0; j < field.count[1]; ++j)
+      for (std::int32_t k = 0; k < field.count[2]; ++k) append(out, field.value(i, j, k));
+  return out;
+}
+
+/// The image data of VTK, as text.
+std::string space_vti(const SpaceField& field, const char* name) {
+  constexpr double kNone = -1;
+  const std::string extent = fmt::format("0 {} 0 {} 0 {}", field.count[0] - 1, field.count[1] - 1, field.count[2] - 1);
+  std::string out = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"ImageData\" version=\"1.0\">\n<ImageData WholeExtent=\"{}\" "
+      "Origin=\"{} {} {}\" Spacing=\"{} {} {}\">\n<Piece Extent=\"{}\">\n<PointData Scalars=\"{}\">\n<DataArray "
+      "type=\"Float64\" Name=\"{}\" format=\"ascii\">\n",
+      extent, field.lower.x(), field.lower.y(), field.lower.z(), field.step.x(), field.step.y(), field.step.z(), extent,
+      name, name);
+  for (const double value : field.values)
+    fmt::format_to(std::back_inserter(out), "{}\n", std::isnan(value) ? kNone : value);
+  return out + "</DataArray>\n</PointData>\n</Piece>\n</ImageData>\n</VTKFile>\n";
+}
+
 std::string mesh_csv(const TriangleMesh& mesh, const MeshField& field) {
   std::string out = "vertex,x,y,z,cost\n";
   for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -127,14 +162,16 @@ std::string lattice_tif(const RunField& field) {
   return geotiff_writer_of_libraries()(cells, field.is_corridor() ? "detour" : "cost", unit_of_cost(field.problem()));
 }
 
-constexpr std::array<std::pair<std::string_view, FieldFormat>, 7> kFormats = {{{".csv", FieldFormat::csv},
+constexpr std::array<std::pair<std::string_view, FieldFormat>, 8> kFormats = {{{".csv", FieldFormat::csv},
                                                                                {".npy", FieldFormat::npy},
                                                                                {".asc", FieldFormat::asc},
                                                                                {".tif", FieldFormat::tif},
                                                                                {".tiff", FieldFormat::tif},
+                                                                               {".vti", FieldFormat::vti},
                                                                                {".vtp", FieldFormat::vtp},
                                                                                {".ply", FieldFormat::ply}}};
-constexpr std::string_view kOfLattice = ".csv, .npy, .asc or .tif", kOfMesh = ".csv, .npy, .vtp or .ply";
+constexpr std::string_view kOfLattice = ".csv, .npy, .asc or .tif", kOfSpace = ".csv, .npy or .vti",
+                           kOfMesh = ".csv, .npy, .vtp or .ply";
 
 }  // namespace
 
@@ -144,28 +181,43 @@ FieldFormat field_format(std::string_view file) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   for (const auto& [word, format] : kFormats)
     if (ending == word) return format;
-  throw InputError(fmt::format("{}: a field can be written as {}, on a mesh as {}", file, kOfLattice, kOfMesh));
+  throw InputError(fmt::format("{}: a field can be written as {}, in space as {}, on a mesh as {}", file, kOfLattice,
+                               kOfSpace, kOfMesh));
 }
 
-void check_format(FieldFormat format, bool mesh) {
-  const bool of_mesh = format == FieldFormat::vtp || format == FieldFormat::ply;
-  const bool of_lattice = format == FieldFormat::asc || format == FieldFormat::tif;
-  if (format == FieldFormat::tif && !mesh && geotiff_writer_of_libraries() == nullptr)
+void check_format(FieldFormat format, FieldNodes nodes) {
+  if (format == FieldFormat::csv || format == FieldFormat::npy) return;
+  if (format == FieldFormat::tif && nodes == FieldNodes::plane && geotiff_writer_of_libraries() == nullptr)
     throw InputError(
         "a GeoTIFF needs GDAL, which this build is without: install libgdal-dev and rebuild, or write .asc or .npy");
-  if (mesh ? !of_lattice : !of_mesh) return;
-  throw InputError(mesh ? fmt::format("a field on a mesh can be written as {}", kOfMesh)
-                        : fmt::format("a field over a lattice can be written as {}", kOfLattice));
+  switch (nodes) {
+    case FieldNodes::plane:
+      if (format == FieldFormat::asc || format == FieldFormat::tif) return;
+      throw InputError(fmt::format("a field over a lattice can be written as {}", kOfLattice));
+    case FieldNodes::space:
+      if (format == FieldFormat::vti) return;
+      throw InputError(fmt::format("a field in space can be written as {}", kOfSpace));
+    case FieldNodes::mesh:
+      if (format == FieldFormat::vtp || format == FieldFormat::ply) return;
+      throw InputError(fmt::format("a field on a mesh can be written as {}", kOfMesh));
+  }
 }
 
 std::string field_text(const RunField& field, FieldFormat format) {
-  const bool mesh = field.on_mesh();
-  check_format(format, mesh);
+  check_format(format, field.nodes());
+  const bool mesh = field.on_mesh(), space = field.in_space();
   switch (format) {
-    case FieldFormat::csv: return mesh ? mesh_csv(field.mesh(), field.on_vertices()) : lattice_csv(field.lattice());
-    case FieldFormat::npy: return mesh ? mesh_npy(field.mesh(), field.on_vertices()) : lattice_npy(field.lattice());
+    case FieldFormat::csv:
+      return mesh    ? mesh_csv(field.mesh(), field.on_vertices())
+             : space ? space_csv(field.space())
+                     : lattice_csv(field.lattice());
+    case FieldFormat::npy:
+      return mesh    ? mesh_npy(field.mesh(), field.on_vertices())
+             : space ? space_npy(field.space())
+                     : lattice_npy(field.lattice());
     case FieldFormat::asc: return lattice_asc(field.lattice());
     case FieldFormat::tif: return lattice_tif(field);
+    case FieldFormat::vti: return space_vti(field.space(), field.is_corridor() ? "detour" : "cost");
     case FieldFormat::vtp: return vertices_vtp(field.mesh(), "cost", finite_values(field.on_vertices()));
     case FieldFormat::ply: return vertices_ply(field.mesh(), "cost", "-1: no path", finite_values(field.on_vertices()));
   }

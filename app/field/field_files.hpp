@@ -10,14 +10,13 @@
 
 namespace leastcost::app {
 
-enum class FieldFormat { csv, npy, asc, tif, vtp, ply };
+enum class FieldFormat { csv, npy, asc, tif, vti, vtp, ply };
 
 /// By the ending of a file name, in capitals too; throws InputError that names those there are.
 FieldFormat field_format(std::string_view file);
 
-/// Throws InputError for a format that a field on a mesh, or over a lattice, does not have, and for GeoTIFF in a build
-/// without GDAL.
-void check_format(FieldFormat format, bool mesh);
+/// Throws InputError for a format that a field over such nodes does not have, and for GeoTIFF in a build without GDAL.
+void check_format(FieldFormat format, FieldNodes nodes);
 
 /// A field as the bytes of a file, all digits.
 ///
@@ -27,6 +26,9 @@ void check_format(FieldFormat format, bool mesh);
 /// throws InputError for steps that differ along x and y, which it cannot say. TIF: a GeoTIFF of doubles, likewise,
 /// with NaN where no path leads, in the CRS of the raster that the configuration reads; one that was read in degrees is
 /// in degrees.
+///
+/// In space. CSV: x, y, z and cost, x fastest. NPY: one array (nodes along x, y, z), so that [i, j, k] is node (i, j,
+/// k). VTI: an image of VTK with the costs as point data; -1 where no path leads.
 ///
 /// On a mesh. CSV: the number of each vertex in the file, x, y, z and the cost. NPY: one double per vertex of the file;
 /// NaN where no path leads and for vertices of no face. VTP and PLY: the mesh with cost and error as point data; -1

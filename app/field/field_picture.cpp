@@ -171,15 +171,17 @@ std::vector<LegendEntry> legend_of_field(const RunField& field, bool ways, const
 
 }  // namespace
 
-void check_drawable(bool mesh) {
-  if (mesh)
+void check_drawable(FieldNodes nodes) {
+  if (nodes == FieldNodes::mesh)
     throw InputError(
         "a picture shows a field over a lattice; write one on a mesh as .ply or .vtp, for MeshLab and ParaView");
+  if (nodes == FieldNodes::space)
+    throw InputError("a picture shows a field in two coordinates; write one in space as .vti, for ParaView");
 }
 
 Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, const FigureRequest& request) {
   constexpr double kTallest = 1.15;  // in widths
-  check_drawable(field.on_mesh());
+  check_drawable(field.nodes());
   Look look = request.parts.look;
   look.printed = true;
   look.width = request.size.sketch_width();

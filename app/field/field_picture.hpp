@@ -9,11 +9,11 @@
 
 namespace leastcost::app {
 
-/// Throws InputError for a field on a mesh, which has no picture.
-void check_drawable(bool mesh);
+/// Throws InputError for a field on a mesh or in space, which has no picture.
+void check_drawable(FieldNodes nodes);
 
 /// A field over a lattice on paper: bands and lines of equal cost, the places, the ways, obstacles, axes, a bar with
-/// the unit and a legend. Of the request its size, parts and unit. Throws InputError for a field on a mesh.
+/// the unit and a legend. Of the request its size, parts and unit. Throws InputError as check_drawable().
 Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, const FigureRequest& request);
 
 }  // namespace leastcost::app

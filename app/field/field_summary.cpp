@@ -45,6 +45,10 @@ void say_nodes(const RunField& field, Json& out) {
   const Extent extent = extent_of(field.values());
   if (field.on_mesh()) {
     out["vertices"] = field.values().size();
+  } else if (field.in_space()) {
+    out["nodes"] = field.space().count;
+    out["lower"] = numbers(field.space().lower);
+    out["step"] = numbers(field.space().step);
   } else {
     out["columns"] = field.lattice().count[0];
     out["rows"] = field.lattice().count[1];
@@ -58,16 +62,17 @@ void say_nodes(const RunField& field, Json& out) {
 Json error_json(const RunField& field) {
   if (field.on_mesh())
     return {{"largest", number(largest_error(field.on_vertices()))}, {"kind", "bound"}, {"by", "windows on the mesh"}};
-  const CostField& lattice = field.lattice();
-  return {{"largest", number(lattice.error)},
-          {"mean", number(lattice.mean_error)},
-          {"unresolved", lattice.unresolved},
+  const bool space = field.in_space();
+  return {{"largest", number(space ? field.space().error : field.lattice().error)},
+          {"mean", number(space ? field.space().mean_error : field.lattice().mean_error)},
+          {"unresolved", space ? field.space().unresolved : field.lattice().unresolved},
           {"kind", "estimate"},
           {"by", "difference from the field on half as many cells"}};
 }
 
-std::string lattice_notes(const RunField& of) {
-  const CostField& field = of.lattice();
+/// Of a field over a lattice, in two coordinates or in space.
+template <class Field>
+std::string estimate_notes(const Field& field) {
   std::string out;
   if (std::isfinite(field.error))
     out += fmt::format(
@@ -78,6 +83,12 @@ std::string lattice_notes(const RunField& of) {
   if (field.unresolved > 0)
     out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
                        field.unresolved);
+  return out;
+}
+
+std::string lattice_notes(const RunField& of) {
+  const CostField& field = of.lattice();
+  std::string out = estimate_notes(field);
   if (field.directed && !of.is_corridor())
     out += fmt::format("note: there and back differ under this cost; these are costs {} the {}\n",
                        of.to_places() ? "to" : "from", of.places().size() > 1 ? "places" : "place");
@@ -100,6 +111,15 @@ std::string mesh_notes(const MeshField& field) {
   return out;
 }
 
+std::string nodes_in_words(const RunField& field) {
+  switch (field.nodes()) {
+    case FieldNodes::mesh: return fmt::format("{} vertices", field.values().size());
+    case FieldNodes::space: return fmt::format("{} nodes", fmt::join(field.space().count, " x "));
+    case FieldNodes::plane: return fmt::format("{} nodes", fmt::join(field.lattice().count, " x "));
+  }
+  return "";
+}
+
 std::string point_text(const Eigen::VectorXd& x) {
   std::string out = "(";
   for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.6g}", i > 0 ? ", " : "", x[i]);
@@ -108,15 +128,19 @@ std::string point_text(const Eigen::VectorXd& x) {
 
 }  // namespace
 
+std::string method_of(const RunField& field) {
+  return field.on_mesh() ? "exact windows" : field.in_space() ? "isotropic march" : field.lattice().method;
+}
+
 std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways) {
   const Extent extent = extent_of(field.values());
   const std::string unit = unit_of_cost(field.problem());
-  const std::string nodes = field.on_mesh()
-                                ? fmt::format("{} vertices", field.values().size())
-                                : fmt::format("{} x {} nodes", field.lattice().count[0], field.lattice().count[1]);
+  const std::string nodes = nodes_in_words(field);
   std::string out = fmt::format("{}: {}, {} reached, the largest value {:.6g} {}\n", output, nodes, extent.reached,
                                 extent.largest, unit);
-  out += field.on_mesh() ? mesh_notes(field.on_vertices()) : lattice_notes(field);
+  out += field.on_mesh()    ? mesh_notes(field.on_vertices())
+         : field.in_space() ? estimate_notes(field.space())
+                            : lattice_notes(field);
   for (const FieldWay& way : ways)
     out += fmt::format("path   from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
                        point_text(way.points.back()), way.cost, unit);
@@ -127,9 +151,9 @@ std::string field_summary_json(const RunField& field, const std::string& output,
   Json out = {{"schema_version", kSchemaVersion},
               {"what", field.is_corridor() ? "corridor" : "field"},
               {"output", output},
-              {"method", field.on_mesh() ? "exact windows" : field.lattice().method},
-              {"directed", !field.on_mesh() && field.lattice().directed},
-              {"asymmetry", number(field.on_mesh() ? 1 : field.lattice().asymmetry)},
+              {"method", method_of(field)},
+              {"directed", field.nodes() == FieldNodes::plane && field.lattice().directed},
+              {"asymmetry", number(field.nodes() == FieldNodes::plane ? field.lattice().asymmetry : 1)},
               {"unit", unit_of_cost(field.problem())}};
   out[field.to_places() ? "to" : "from"] = places_json(field.places());
   if (field.is_corridor()) out["to"] = places_json({field.target()});

@@ -9,6 +9,9 @@
 
 namespace leastcost::app {
 
+/// "isotropic march", "arrival field" or "exact windows".
+std::string method_of(const RunField& field);
+
 /// What was computed, how exact it is, and the ways: lines of text. `output`: the file it was written to.
 std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways);
 /// The same as JSON.

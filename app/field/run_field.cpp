@@ -56,6 +56,11 @@ EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& ot
 
 }  // namespace
 
+FieldNodes field_nodes(const Problem& problem) {
+  if (find_ability<HasMesh>(*problem.manifold) != nullptr) return FieldNodes::mesh;
+  return problem.manifold->dimensions().coordinate == 3 && is_in_space(problem) ? FieldNodes::space : FieldNodes::plane;
+}
+
 RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions& options, const Monitor& monitor)
     : origin_(run.origin), problem_(run.parts.problem), options_(options) {
   const RunConfig& config = origin_->config;
@@ -76,10 +81,10 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   }
   if (places_.empty() && config.ends_come_later()) problem_ = placed(source_);
   if (places_.empty()) places_ = {problem_.source};
-  if (find_ability<HasMesh>(*problem_.manifold) == nullptr) {
-    lattice_ = costs_from(problem_, coordinates_of(places_), options_, monitor);
-    return;
-  }
+  nodes_ = field_nodes(problem_);
+  if (nodes_ == FieldNodes::plane) lattice_ = costs_from(problem_, coordinates_of(places_), options_, monitor);
+  if (nodes_ == FieldNodes::space) space_ = space_costs_from(problem_, coordinates_of(places_), options_, monitor);
+  if (nodes_ != FieldNodes::mesh) return;
   if (options_.resolution)
     throw OptionError("resolution", "is of a lattice: the nodes of a mesh are its vertices; leave it out");
   const auto stop = [&monitor] { return monitor.interrupted(); };
@@ -110,6 +115,10 @@ RunField RunField::corridor(const PathEnd& target, const Monitor& monitor) const
   }
   CostFieldOptions back = options_;
   back.to_places = true;
+  if (in_space()) {
+    sum.space_ = leastcost::corridor(space_, space_costs_from(problem_, {target.u}, back, monitor));
+    return sum;
+  }
   sum.lattice_ = leastcost::corridor(lattice_, costs_from(problem_, {target.u}, back, monitor));
   return sum;
 }
@@ -123,6 +132,12 @@ FieldWay RunField::way(const PathEnd& place, const Monitor& monitor) const {
     way.cost = path_length(path);
     const Eigen::Index d = problem_.manifold->dimensions().coordinate;  // 2 on a map, whose mesh is at z = 0
     for (const Eigen::Vector3d& point : path.points) way.points.emplace_back(point.head(d));
+    return way;
+  }
+  if (in_space()) {
+    const std::vector<Eigen::Vector3d> points = way_down(space_, problem_, place.u);
+    way.cost = cost_of_way(problem_, points);
+    way.points.assign(points.begin(), points.end());
     return way;
   }
   const std::vector<Eigen::Vector2d> points = way_down(lattice_, problem_, place.u);

@@ -12,6 +12,7 @@
 #include <leastcost/catalogue/run/run.hpp>
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/problems/fields/cost_field.hpp>
+#include <leastcost/problems/fields/space_field.hpp>
 #include "app/field/mesh_field.hpp"
 
 namespace leastcost::app {
@@ -34,7 +35,11 @@ struct FieldWay {
   double cost = 0;                      ///< under the cost of the configuration
 };
 
-/// The field of a configuration: over a lattice in two coordinates, or over the vertices of a mesh.
+/// What the nodes of a field are: a lattice in two coordinates, one in space, or the vertices of a mesh.
+enum class FieldNodes { plane, space, mesh };
+FieldNodes field_nodes(const Problem& problem);
+
+/// The field of a configuration: over a lattice in two coordinates or in space, or over the vertices of a mesh.
 class RunField {
  public:
   /// From the places, or to them (`options`). The run may have been read without its ends (EndsFrom::caller). Throws
@@ -51,16 +56,21 @@ class RunField {
   /// Down the field, which is no corridor. Throws InputError where no way leads there; Interrupted.
   FieldWay way(const PathEnd& place, const Monitor& monitor) const;
 
-  bool on_mesh() const { return fields_ != nullptr; }
+  FieldNodes nodes() const { return nodes_; }
+  bool on_mesh() const { return nodes_ == FieldNodes::mesh; }
+  bool in_space() const { return nodes_ == FieldNodes::space; }
   bool is_corridor() const { return corridor_; }
   bool to_places() const { return options_.to_places; }
-  const CostField& lattice() const { return lattice_; }  ///< not on a mesh
+  const CostField& lattice() const { return lattice_; }  ///< in two coordinates
+  const SpaceField& space() const { return space_; }     ///< in space
   const MeshField& on_vertices() const { return vertices_; }
   const TriangleMesh& mesh() const { return fields_->mesh(); }
   const Problem& problem() const { return problem_; }
   const std::vector<PathEnd>& places() const { return places_; }
   /// Of all nodes; NaN: no path.
-  const std::vector<double>& values() const { return on_mesh() ? vertices_.values : lattice_.values; }
+  const std::vector<double>& values() const {
+    return on_mesh() ? vertices_.values : in_space() ? space_.values : lattice_.values;
+  }
 
  private:
   std::shared_ptr<const RunOrigin> origin_;
@@ -69,7 +79,9 @@ class RunField {
   Problem problem_;
   std::vector<PathEnd> places_;
   CostFieldOptions options_;
+  FieldNodes nodes_ = FieldNodes::plane;
   CostField lattice_;
+  SpaceField space_;
   std::shared_ptr<const MeshFields> fields_;  ///< null: a lattice
   MeshField vertices_;
   bool corridor_ = false;

@@ -90,6 +90,7 @@ const std::vector<ManifoldPlugin>& built_in::manifolds() {
           "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are map coordinates (x, y).",
           [](const RasterOptions& o, const BuildContext& c) {
             RasterGrid heights = read_raster(o, c.folder, Resampling::bilinear, c.note);
+            check_slopes(heights, o);
             check_heights(heights, o);
             return std::make_shared<const TerrainManifold>(std::move(heights));
           })

@@ -51,6 +51,7 @@ ArrivalField::ArrivalField(const Problem& problem, const MoveCheck& moves, const
     mark_doubtful();
   }
   spread(stop);
+  if (how_.whole && node_moves_ && !node_moves_->any_carried()) sharpen(stop);
   if (!how_.whole) arrive_at_target();
 }
 
@@ -135,6 +136,7 @@ void ArrivalField::leave_source(const Eigen::Vector2d& u, const Eigen::VectorXd&
       const double c = move(x, x_.col(node));
       if (!(c < value(node)) || !moves_.clear(x, x_.col(node), kNever)) continue;
       arrivals_[static_cast<std::size_t>(node)].cost = c;
+      starts_.emplace_back(node, coordinates({node, node, 0}) - u);
       queue.push(c, node);
     }
 }
@@ -207,24 +209,48 @@ bool ArrivalField::improve(std::int32_t node, std::int32_t by, std::size_t k) {
 }
 
 bool ArrivalField::try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
-                                Arrival& best) const {
+                                Arrival& best, double bend) const {
   const NodeMoves& moves = *node_moves_;
   // The way to a source takes the same moves the other way round.
-  const std::size_t all = NodeMoves::kDirections, direction = how_.reversed ? (2 * k + all / 2) % all : 2 * k;
-  const auto turned = [&](int by_steps) { return (direction + all + static_cast<std::size_t>(by_steps)) % all; };
-  const auto mean = [&](std::int32_t from, std::size_t d) { return 0.5 * (moves.cost(node, d) + moves.cost(from, d)); };
-  const double from_by = mean(by, direction), u = cost({by, by, 0});
+  const std::size_t all = moves.directions(), parts = moves.parts();
+  const std::size_t direction = (parts * k + (how_.reversed ? all / 2 : 0)) % all;
+  const auto turned = [&](std::size_t part) { return (direction + (turn > 0 ? part : all - part)) % all; };
+  const double u = cost({by, by, 0});
+  const double from_by = 0.5 * (moves.cost(node, direction) + moves.cost(by, direction));
   if (!std::isfinite(from_by)) return false;
   const auto take = [&](double c, const Place& from) {
     if (c < best.cost && passes(from, node)) best = {c, from};
   };
   if (other != by && known(other) && !moves.blocked(other)) {
-    const double middle = 0.5 * (mean(by, turned(turn)) + mean(other, turned(turn)));
-    const double from_other = mean(other, turned(2 * turn));
-    if (!std::isfinite(middle) || !std::isfinite(from_other)) return false;
-    const LeastOnEdge least = least_on_edge(u, cost({other, other, 0}), {from_by, middle, from_other});
-    if (least.t > 0 && least.t < 1 && least.cost < best.cost && clear({by, other}))
-      take(least.cost, {by, other, least.t});
+    const double rise = cost({other, other, 0}) - u;
+    // Where some directions are impossible all are looked at; elsewhere the sum is convex along the edge.
+    std::array<double, NodeMoves::kMostParts + 1> from_part{};
+    const auto ask = [&](std::size_t part) {
+      const double t = double(part) / double(parts);
+      const std::size_t d = turned(part);
+      from_part[part] = 0.5 * (moves.cost(node, d) + (1 - t) * moves.cost(by, d) + t * moves.cost(other, d)) +
+                        0.5 * t * (1 - t) * bend;
+      return t * rise + from_part[part];
+    };
+    std::size_t least_part = 0, last_part = parts;
+    if (moves.any_carried())
+      for (std::size_t part = 0; part <= parts; ++part)
+        if (!std::isfinite(ask(part))) return false;
+    while (least_part < last_part) {
+      const std::size_t between = (least_part + last_part) / 2;
+      if (ask(between) <= ask(between + 1))
+        last_part = between;
+      else
+        least_part = between + 1;
+    }
+    const std::size_t middle = std::clamp<std::size_t>(least_part, 1, parts - 1);
+    const double first = double(middle - 1) / double(parts), width = 2 / double(parts);
+    for (const std::size_t part : {middle - 1, middle, middle + 1})
+      if (!std::isfinite(ask(part))) return false;
+    const LeastOnEdge least = least_on_edge(u + first * rise, u + (first + width) * rise,
+                                            {from_part[middle - 1], from_part[middle], from_part[middle + 1]});
+    const double t = first + width * least.t;
+    if (t > 0 && t < 1 && least.cost < best.cost && clear({by, other})) take(least.cost, {by, other, t});
   }
   take(u + from_by, {by, by, 0});
   return true;

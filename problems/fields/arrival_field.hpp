@@ -27,6 +27,8 @@ namespace leastcost {
 ///
 ///     u(x) = min over the edges (a, b) around x and t in [0, 1] of (1 - t) u(a) + t u(b) + c((1 - t) a + t b, x).
 ///
+/// Of a field up to every node the values are of second order where the cost is smooth: see sharpen().
+///
 /// c may depend on place and direction, and be asymmetric. Nodes are worked off in the order of their costs, and again
 /// when they become cheaper, for with a cost that depends on direction no single order is right. Moves and edges that
 /// obstacles do not let pass are left out. Between nodes c is by the line elements at both ends of a move, asked once
@@ -105,8 +107,15 @@ class ArrivalField {
   Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x, double below) const;
   /// The same by the line elements at the nodes: into `node` from its neighbour `by`, number k of its ring, or over the
   /// edge from there to `other`, number k + turn. False where they do not know.
-  bool try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
-                    Arrival& best) const;
+  /// `bend`: see sharpen().
+  bool try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn, Arrival& best,
+                    double bend = 0) const;
+  void sharpen(const std::function<bool()>& stop);
+  /// Whether its value has changed.
+  bool sharpen_node(std::int32_t node, std::vector<Eigen::Vector2f>& gradients);
+  Eigen::Vector2d gradient_by(std::int32_t node, const Eigen::Vector2d& v) const;
+  double bend_along(const std::vector<Eigen::Vector2f>& gradients, std::int32_t by, std::int32_t other,
+                    std::size_t k) const;
   bool passes(const Place& from, std::int32_t node) const;
   bool clear(const Edge& edge) const;
   double move(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) const;
@@ -129,15 +138,16 @@ class ArrivalField {
   const MoveCheck& moves_;
   Way how_;
   Lattice lattice_;
-  Eigen::Vector2d lower_, upper_, step_;    ///< the box in coordinates, and from node to node
-  Points x_;                                ///< ambient positions of the nodes; not finite off the domain
-  Eigen::VectorXd source_, target_;         ///< ambient
-  Points more_sources_;                     ///< the same of those besides, one a column
-  std::optional<NodeMoves> node_moves_;     ///< none: exact
-  std::vector<unsigned char> doubtful_;     ///< per node: beside one that is blocked
-  std::vector<Arrival> arrivals_;           ///< per node
-  mutable std::vector<signed char> clear_;  ///< per edge: 1 clear, 0 not, -1 not asked yet
-  mutable Points ends_;                     ///< of the move whose cost is asked
+  Eigen::Vector2d lower_, upper_, step_;  ///< the box in coordinates, and from node to node
+  Points x_;                              ///< ambient positions of the nodes; not finite off the domain
+  Eigen::VectorXd source_, target_;       ///< ambient
+  Points more_sources_;                   ///< the same of those besides, one a column
+  std::optional<NodeMoves> node_moves_;   ///< none: exact
+  std::vector<unsigned char> doubtful_;   ///< per node: beside one that is blocked
+  std::vector<Arrival> arrivals_;         ///< per node
+  std::vector<std::pair<std::int32_t, Eigen::Vector2d>> starts_;  ///< nodes beside a source, and the move from it
+  mutable std::vector<signed char> clear_;                        ///< per edge: 1 clear, 0 not, -1 not asked yet
+  mutable Points ends_;                                           ///< of the move whose cost is asked
   Arrival at_target_;
 };
 

@@ -16,6 +16,7 @@
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/fields/arrival_field.hpp"
+#include "problems/fields/field_error.hpp"
 #include "problems/fields/field_lattice.hpp"
 #include "problems/fields/grid_search.hpp"
 #include "problems/fields/isotropic_march.hpp"
@@ -29,7 +30,6 @@ using Eigen::Vector2d;
 using Lattice2 = IsotropicMarch::Lattice;
 
 constexpr double kNoPath = std::numeric_limits<double>::infinity();
-constexpr double kFirstOrder = 4;  ///< times the difference of two fields is the error, measured
 
 std::string coordinates_in_words(const Eigen::VectorXd& place) {
   std::ostringstream out;
@@ -44,10 +44,15 @@ void check_problem(const Problem& problem) {
   const ConstraintManifold& domain = *problem.manifold;
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
     throw InputError(
-        "field: needs a mesh, or a domain with two coordinates (the plane, a box of it, terrain, a chart)");
+        "field: needs a mesh, space or a box of it, or a domain with two coordinates (the plane, a box of it, terrain, "
+        "a "
+        "chart); here leastcost run gives the least cost between two places, with --pairs between many");
   const auto* images = find_ability<HasImages>(domain);
   if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
-    throw InputError("field: needs coordinates that do not close on themselves, as longitudes do");
+    throw InputError(
+        "field: needs coordinates that do not close on themselves, as longitudes and the angles of a torus do; here "
+        "leastcost run gives the least cost between two places, with --pairs between many; a mesh of the surface has a "
+        "field too");
 }
 
 /// n at the nodes; nothing where a unit of length does not cost the same in all directions.
@@ -169,23 +174,6 @@ void check_left(const std::vector<Eigen::VectorXd>& places, const Lattice2& latt
   }
 }
 
-void estimate_error(const std::vector<double>& coarse, const Lattice2& lattice, CostField& field, double factor) {
-  const std::vector<double> fine = every_second(field.values, lattice);
-  double sum = 0, largest = 0;
-  std::size_t common = 0;
-  for (std::size_t k = 0; k < fine.size(); ++k) {
-    if (std::isfinite(fine[k]) && !std::isfinite(coarse[k])) ++field.unresolved;
-    if (!std::isfinite(fine[k]) || !std::isfinite(coarse[k])) continue;
-    const double apart = std::abs(fine[k] - coarse[k]);
-    largest = std::max(largest, apart);
-    sum += apart;
-    ++common;
-  }
-  if (common == 0) return;
-  field.error = factor * largest;
-  field.mean_error = factor * sum / static_cast<double>(common);
-}
-
 void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& box) {
   constexpr double kRounding = 1e-9;
   if (places.empty()) throw InputError("field: give at least one place");
@@ -222,10 +210,12 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
   check_left(places, lattice, field);
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
-  const double factor = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr ? 1 : kFirstOrder;
+  const bool smooth = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
+  const double factor = !smooth ? kFirstOrder : raster ? kOfRasters : 1;
   if (estimates)
-    estimate_error(densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), lattice,
-                   field, factor);
+    estimate_error(every_second(field.values, lattice),
+                   densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), factor,
+                   field);
   for (double& value : field.values)
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return field;
@@ -235,17 +225,7 @@ CostField corridor(const CostField& from, const CostField& to) {
   if (from.count != to.count || from.lower != to.lower || from.step != to.step)
     throw InputError("corridor: the two fields have different nodes");
   CostField sum = from;
-  sum.places.insert(sum.places.end(), to.places.begin(), to.places.end());
-  double least = kNoPath;
-  for (std::size_t k = 0; k < sum.values.size(); ++k) {
-    sum.values[k] += to.values[k];
-    if (sum.values[k] < least) least = sum.values[k];
-  }
-  if (!(least < kNoPath)) throw InputError("corridor: no path joins the two");
-  for (double& value : sum.values) value -= least;
-  sum.error = from.error + to.error;
-  sum.mean_error = from.mean_error + to.mean_error;
-  sum.unresolved = std::max(from.unresolved, to.unresolved);
+  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two");
   return sum;
 }
 

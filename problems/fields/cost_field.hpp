@@ -30,11 +30,11 @@ struct CostField {
   /// kFaithfulAsymmetry values can be wrong by more than `error`: the lattice has too few directions for the narrow
   /// cone in which moves are cheap.
   double asymmetry = 1;
-  static constexpr double kFaithfulAsymmetry = 2;  ///< measured in constant winds of 0.3 to 0.99 of the speed
-  std::string method;                              ///< "isotropic march" or "arrival field"
-  /// The largest and the mean difference, at common nodes, from the field on half as many cells, four times
-  /// that among obstacles and of an arrival field: an estimate of the
-  /// error, not a bound. NaN where it was not asked for or there are too few nodes. Cost units.
+  static constexpr double kFaithfulAsymmetry = 100;  ///< measured in constant winds up to 0.98 of the speed
+  std::string method;                                ///< "isotropic march" or "arrival field"
+  /// The largest and the mean difference, at common nodes, from the field on half as many cells; twice that over a
+  /// raster of costs, four times among obstacles and of an arrival field: an estimate of the error, not a bound. NaN
+  /// where it was not asked for or there are too few nodes. Cost units.
   double error = std::numeric_limits<double>::quiet_NaN();
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< see `error`
   std::size_t unresolved = 0;  ///< nodes that only the finer of the two fields reaches: passages of one or two cells
@@ -61,10 +61,11 @@ struct CostFieldOptions {
 /// The least cost from the nearest of some places (coordinates; at least one) to every node, under the cost of a
 /// problem, in its domain and among its obstacles. The box is that of the domain, else that of a raster of costs, else
 /// one around the ends of the problem with their distance as margin; a problem's ends have no other part in it. Where a
-/// unit of length costs the same in all directions the field is of second order (IsotropicMarch); elsewhere it is by
-/// the line elements at the nodes, of first order (ArrivalField). Throws InputError for rings, for domains without two
-/// coordinates and for those that close on themselves, for places outside and those that no path leaves; OptionError
-/// ("resolution"); Interrupted.
+/// unit of length costs the same in all directions the field is by IsotropicMarch, elsewhere by the line elements at
+/// the nodes (ArrivalField). Both are of second order where the cost is smooth, and of first order beside obstacles and
+/// at kinks of the cost. Throws InputError for rings, for domains without two coordinates and for those that close on
+/// themselves, for places outside and those that no path leaves; OptionError ("resolution"), also for one that leaves
+/// fewer than four cells along a side; Interrupted.
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
                      const CostFieldOptions& options = {}, const Monitor& monitor = {});
 

@@ -9,6 +9,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/fields/cost_field.hpp>
+#include <leastcost/problems/fields/space_field.hpp>
 #include "problems/fields/arrival_field.hpp"
 #include "problems/fields/field_descent.hpp"
 #include "problems/fields/grid_search.hpp"
@@ -20,6 +21,8 @@ namespace {
 
 using Eigen::Vector2d;
 
+constexpr double kImpossible = std::numeric_limits<double>::infinity();
+
 std::string in_words(const Vector2d& x) {
   std::ostringstream out;
   out << '(' << x[0] << ", " << x[1] << ')';
@@ -28,10 +31,12 @@ std::string in_words(const Vector2d& x) {
 
 /// The same by a field of arrivals at the target, whose nodes know where their last move came from: where a current
 /// leaves few directions, the values alone do not say it. Without points where that is lost too.
-std::vector<Vector2d> way_by_arrivals(const CostField& field, const Problem& problem, const Vector2d& place) {
+/// `finer`: so many times as many cells along each side.
+std::vector<Vector2d> way_by_arrivals(const CostField& field, const Problem& problem, const Vector2d& place,
+                                      std::int32_t finer) {
   const LatticeBox box{field.lower, field.node(field.count[0] - 1, field.count[1] - 1), {}, {}};
   ArrivalField::Way how;
-  how.cells = {field.count[0] - 1, field.count[1] - 1};
+  how.cells = {finer * (field.count[0] - 1), finer * (field.count[1] - 1)};
   std::vector<Vector2d> best;
   double least = std::numeric_limits<double>::infinity();
   for (const Eigen::VectorXd& other : field.places) {
@@ -64,7 +69,12 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
                      in_words(place) + ": it has no data, or obstacles or places without data lie between");
   std::vector<Vector2d> way = steepest_way(field, problem, place);
   if (!field.to_places) std::reverse(way.begin(), way.end());
-  if (way.empty()) way = way_by_arrivals(field, problem, place);
+  // Where a current leaves few directions, a move whose middle can be crossed may not be possible in pieces.
+  const auto possible = [&] { return !way.empty() && cost_of_way(problem, way) < kImpossible; };
+  constexpr std::size_t kMostNodes = 2'000'000;
+  for (const std::int32_t finer : {1, 2, 4})
+    if (!possible() && (finer == 1 || std::size_t(finer) * std::size_t(finer) * field.values.size() < kMostNodes))
+      way = way_by_arrivals(field, problem, place, finer);
   if (way.empty())
     throw InputError("field: the way " + std::string(field.to_places ? "from" : "to") + " the place " +
                      in_words(place) + " is lost between the nodes: use a smaller resolution");
@@ -72,17 +82,28 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
   return cost_of_way(problem, tight) < cost_of_way(problem, way) ? tight : way;
 }
 
-double cost_of_way(const Problem& problem, const std::vector<Vector2d>& way) {
+namespace {
+
+template <class Place>
+double cost_in_pieces(const Problem& problem, const std::vector<Place>& way) {
   constexpr Index kPieces = 4;  // of a move, which is two cells long
   if (way.size() < 2) return 0;
   const auto moves = static_cast<Index>(way.size()) - 1;
-  CoordinatePath fine{Points(2, moves * kPieces + 1), {}, false};
+  CoordinatePath fine{Points(Place::RowsAtCompileTime, moves * kPieces + 1), {}, false};
   for (Index i = 0; i < moves; ++i) {
-    const Vector2d &a = way[static_cast<std::size_t>(i)], &b = way[static_cast<std::size_t>(i) + 1];
+    const Place &a = way[static_cast<std::size_t>(i)], &b = way[static_cast<std::size_t>(i) + 1];
     for (Index k = 0; k < kPieces; ++k) fine.u.col(i * kPieces + k) = a + double(k) / double(kPieces) * (b - a);
   }
-  fine.u.rightCols<1>() = way.back();
+  fine.u.rightCols(1) = way.back();
   return PathEnergy(problem, 1).cost(fine);
+}
+
+}  // namespace
+
+double cost_of_way(const Problem& problem, const std::vector<Vector2d>& way) { return cost_in_pieces(problem, way); }
+
+double cost_of_way(const Problem& problem, const std::vector<Eigen::Vector3d>& way) {
+  return cost_in_pieces(problem, way);
 }
 
 }  // namespace leastcost

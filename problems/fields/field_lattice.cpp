@@ -10,6 +10,7 @@
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
@@ -49,14 +50,24 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
   return box;
 }
 
+void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size) {
+  constexpr double kRounding = 1e-6;
+  if (!resolution) return;
+  if (!(*resolution > 0) || !std::isfinite(*resolution)) throw OptionError("resolution", "must be a number above 0");
+  const double longest = size.minCoeff() / kFewestCells;
+  if (*resolution > longest * (1 + kRounding))
+    throw OptionError("resolution", "is " + short_number(*resolution, 6) + ", but the shortest side of the box is " +
+                                        short_number(size.minCoeff(), 6) + " long: choose at most a quarter of it, " +
+                                        short_number(longest, 6));
+}
+
 IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
                                       const std::optional<double>& resolution) {
   constexpr double kCells = 200, kRounding = 1e-6;
   constexpr double kMostFieldNodes = 5e7;  // 24 bytes each while the front runs
-  if (resolution && (!(*resolution > 0) || !std::isfinite(*resolution)))
-    throw OptionError("resolution", "must be a number above 0");
   IsotropicMarch::Lattice lattice{};
   const Vector2d size = box.upper - box.lower;
+  check_resolution(resolution, size);
   for (std::size_t d = 0; d < 2; ++d) {
     const auto k = static_cast<Eigen::Index>(d);
     double cells = 0;
@@ -67,10 +78,10 @@ IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional
       lattice.step[k] = cell;
       cells = std::floor((std::min(box.upper[k], raster->last[k]) - lattice.lower[k]) / cell + kRounding);
     } else {
-      const double step = resolution ? *resolution : size.maxCoeff() / kCells;
-      cells = std::max(std::floor(size[k] / step + kRounding), 1.0);
+      const double step = resolution ? *resolution : std::min(size.maxCoeff() / kCells, size[k] / kFewestCells);
+      cells = std::floor(size[k] / step + kRounding);
       lattice.lower[k] = box.lower[k];
-      lattice.step[k] = std::min(step, size[k]);
+      lattice.step[k] = step;
     }
     if (!(cells >= 1)) throw InputError("field: the box has fewer than two values of the raster along a side");
     if (!(cells < kMostFieldNodes)) cells = kMostFieldNodes;

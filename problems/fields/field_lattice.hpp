@@ -25,6 +25,12 @@ std::optional<RasterPlaces> raster_places_of(const SegmentCost& cost);
 /// InputError where there is none.
 LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster);
 
+/// Along each side of the box: a lattice of every second node, for the error, then has two.
+inline constexpr double kFewestCells = 4;
+
+/// Throws OptionError ("resolution") for one that is no length, or too long for a box of this size.
+void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size);
+
 /// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
 /// Throws InputError, OptionError ("resolution").
 IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional<RasterPlaces>& raster,

@@ -3,6 +3,7 @@
 #include "problems/fields/tightened_way.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -16,19 +17,31 @@
 namespace leastcost {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr double kBlocked = std::numeric_limits<double>::infinity();
 
+/// At right angles to a direction.
+std::array<Eigen::Vector2d, 1> across_of(const Eigen::Vector2d& along) {
+  return {Eigen::Vector2d(-along[1], along[0]) / along.norm()};
+}
+std::array<Eigen::Vector3d, 2> across_of(const Eigen::Vector3d& along) {
+  const Eigen::Vector3d first = along.unitOrthogonal();
+  return {first, along.cross(first).normalized()};
+}
+
+/// In N coordinates.
+template <int N>
 class WayTightening {
  public:
-  WayTightening(const Problem& problem, std::vector<Vector2d> way, double step, const Eigen::AlignedBox2d& room)
+  using Vector = Eigen::Matrix<double, N, 1>;
+  using Room = Eigen::AlignedBox<double, N>;
+
+  WayTightening(const Problem& problem, std::vector<Vector> way, double step, const Room& room)
       : problem_(problem), moves_(problem), way_(std::move(way)), step_(step), room_(room) {
-    for (const Vector2d& point : way_) room_.extend(point);
+    for (const Vector& point : way_) room_.extend(point);
     for (std::size_t i = 0; i + 1 < way_.size(); ++i) costs_.push_back(move(way_[i], way_[i + 1]));
   }
 
-  std::vector<Vector2d> tightened() {
+  std::vector<Vector> tightened() {
     constexpr std::size_t kFewMoves = 64;  // fewer are too coarse a polyline
     constexpr int kMostHalvings = 5;
     tighten();
@@ -60,7 +73,7 @@ class WayTightening {
   }
 
   void halve_moves() {
-    std::vector<Vector2d> finer = {way_[0]};
+    std::vector<Vector> finer = {way_[0]};
     for (std::size_t i = 1; i < way_.size(); ++i) {
       finer.emplace_back((way_[i - 1] + way_[i]) / 2);
       finer.push_back(way_[i]);
@@ -72,9 +85,9 @@ class WayTightening {
   }
 
   double total() const { return std::accumulate(costs_.begin(), costs_.end(), 0.0); }
-  Eigen::VectorXd ambient(const Vector2d& u) const { return positions(*problem_.manifold, {u, {}, true}).col(0); }
+  Eigen::VectorXd ambient(const Vector& u) const { return positions(*problem_.manifold, {u, {}, true}).col(0); }
 
-  double move(const Vector2d& from, const Vector2d& to) const {
+  double move(const Vector& from, const Vector& to) const {
     const Eigen::VectorXd a = ambient(from), b = ambient(to);
     double sum = 0;
     Eigen::VectorXd last = a;
@@ -89,18 +102,21 @@ class WayTightening {
   /// The points up to `reach` before and after point i across the way by `by`, those farther off by less.
   void shift(std::size_t i, std::size_t reach, double by) {
     const std::size_t low = i > reach ? i - reach : 0, high = std::min(i + reach, way_.size() - 1);
-    const Vector2d along = way_[high] - way_[low];
+    const Vector along = way_[high] - way_[low];
     if (!(along.norm() > 0) || !(by > 0)) return;
-    const Vector2d across = Vector2d(-along[1], along[0]) / along.norm();
+    for (const Vector& across : across_of(along)) shift_along(across, i, low, high, by);
+  }
+
+  void shift_along(const Vector& across, std::size_t i, std::size_t low, std::size_t high, double by) {
     const double here =
         std::accumulate(costs_.begin() + std::ptrdiff_t(low), costs_.begin() + std::ptrdiff_t(high), 0.0);
     if (!(here < kBlocked)) return;
     const auto tried = [&](double amount) {
       Trial trial{amount, 0, {}, {}};
-      Vector2d last = way_[low];
+      Vector last = way_[low];
       for (std::size_t k = low + 1; k <= high; ++k) {
         const double share = k <= i ? double(k - low) / double(i - low) : double(high - k) / double(high - i);
-        const Vector2d next = way_[k] + amount * share * across;
+        const Vector next = way_[k] + amount * share * across;
         trial.costs.push_back(room_.contains(next) ? move(last, next) : kBlocked);
         trial.cost += trial.costs.back();
         if (!(trial.cost < kBlocked)) break;
@@ -131,24 +147,29 @@ class WayTightening {
 
   struct Trial {
     double amount, cost;
-    std::vector<Vector2d> points;
+    std::vector<Vector> points;
     std::vector<double> costs;
   };
   static constexpr double kRounding = 1e-12;
 
   const Problem& problem_;
   MoveCheck moves_;
-  std::vector<Vector2d> way_;
+  std::vector<Vector> way_;
   std::vector<double> costs_;  ///< of the moves
   double step_;                ///< of the lattice, halved with the moves
-  Eigen::AlignedBox2d room_;   ///< that points may be in
+  Room room_;                  ///< that points may be in
 };
 
 }  // namespace
 
-std::vector<Vector2d> tightened(const Problem& problem, const std::vector<Vector2d>& way, double step,
-                                const Eigen::AlignedBox2d& room) {
-  return WayTightening(problem, way, step, room).tightened();
+std::vector<Eigen::Vector2d> tightened(const Problem& problem, const std::vector<Eigen::Vector2d>& way, double step,
+                                       const Eigen::AlignedBox2d& room) {
+  return WayTightening<2>(problem, way, step, room).tightened();
+}
+
+std::vector<Eigen::Vector3d> tightened(const Problem& problem, const std::vector<Eigen::Vector3d>& way, double step,
+                                       const Eigen::AlignedBox3d& room) {
+  return WayTightening<3>(problem, way, step, room).tightened();
 }
 
 }  // namespace leastcost

@@ -14,4 +14,8 @@ namespace leastcost {
 std::vector<Eigen::Vector2d> tightened(const Problem& problem, const std::vector<Eigen::Vector2d>& way, double step,
                                        const Eigen::AlignedBox2d& room);
 
+/// The same in space.
+std::vector<Eigen::Vector3d> tightened(const Problem& problem, const std::vector<Eigen::Vector3d>& way, double step,
+                                       const Eigen::AlignedBox3d& room);
+
 }  // namespace leastcost

@@ -91,16 +91,19 @@ void check_magnitude(const RasterGrid& raster, const RasterOptions& options) {
     if (std::abs(value) >= kFill) refuse_fill(raster, value, options, "which is too large for a height or a cost");
 }
 
+bool may_be_in_degrees(const RasterGrid& raster, const RasterOptions& options) {
+  const Eigen::Vector2d upper = raster.place(raster.rows, raster.columns);
+  return !raster.degrees && !options.cell && raster.corner[0] >= -180 && upper[0] <= 360 && raster.corner[1] >= -90 &&
+         upper[1] <= 90 && raster.cell.maxCoeff() < 0.1;
+}
+
 }  // namespace
 
 void check_heights(const RasterGrid& raster, const RasterOptions& options) {
   const Extremes e = extremes_of(raster.values);
   const double wide = raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows)).norm();
-  const Eigen::Vector2d upper = raster.place(raster.rows, raster.columns);
-  const bool may_be_degrees = !raster.degrees && !options.cell && raster.corner[0] >= -180 && upper[0] <= 360 &&
-                              raster.corner[1] >= -90 && upper[1] <= 90 && raster.cell.maxCoeff() < 0.1;
   constexpr double kSteep = 10;  // times as high as wide
-  if (may_be_degrees && e.second_greatest - e.second_least > kSteep * wide)
+  if (may_be_in_degrees(raster, options) && e.second_greatest - e.second_least > kSteep * wide)
     throw OptionError("degrees", raster.source + ": heights differ by " + digits(e.second_greatest - e.second_least) +
                                      " on a raster that is " + digits(wide) +
                                      " across; if its cells are in degrees of longitude and latitude, set degrees: "
@@ -111,6 +114,36 @@ void check_heights(const RasterGrid& raster, const RasterOptions& options) {
     refuse_fill(raster, e.least, options, "a height " + digits(e.second_least - e.least) + why);
   if (std::isfinite(e.second_greatest) && e.greatest - e.second_greatest > wide)
     refuse_fill(raster, e.greatest, options, "a height " + digits(e.greatest - e.second_greatest) + why);
+}
+
+void check_slopes(const RasterGrid& raster, const RasterOptions& options) {
+  constexpr double kSteepGround = 10, kSteepOfStatedCells = 50;  // no ground has a median of 5
+  constexpr double kSomeSlopes = 0.25;                           // of all: walls on level ground are no slopes
+  if (may_be_in_degrees(raster, options)) return;                // check_heights() says so
+  std::vector<double> slopes;
+  slopes.reserve(2 * raster.values.size());
+
+  std::size_t level = 0;
+  const auto add = [&](double a, double b, double apart) {
+    if (!std::isfinite(a) || !std::isfinite(b)) return;
+    if (a == b)
+      ++level;
+    else
+      slopes.push_back(std::abs(b - a) / apart);
+  };
+  for (int row = 0; row < raster.rows; ++row)
+    for (int column = 0; column < raster.columns; ++column) {
+      const double here = raster.values[raster.index(row, column)];
+      if (column + 1 < raster.columns) add(here, raster.values[raster.index(row, column + 1)], raster.cell[0]);
+      if (row + 1 < raster.rows) add(here, raster.values[raster.index(row + 1, column)], raster.cell[1]);
+    }
+  if (slopes.empty() || double(slopes.size()) < kSomeSlopes * double(slopes.size() + level)) return;
+  const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
+  std::nth_element(slopes.begin(), middle, slopes.end());
+  if (!(*middle > (options.cell ? kSteepOfStatedCells : kSteepGround))) return;
+  throw OptionError("value_scale", raster.source + ": half of the slopes are above " + short_number(*middle, 3) +
+                                       ": are heights in metres, as cells are? Set value_scale (0.001 if heights are "
+                                       "in millimetres), or the side of a cell (cell)");
 }
 
 std::string RasterGrid::name_of(int row, int column) const {

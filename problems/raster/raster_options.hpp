@@ -44,4 +44,9 @@ RasterGrid placed(RasterFile file, const RasterOptions& options);
 /// ("nodata" or "degrees"), unless `nodata`, or `cell`, is given.
 void check_heights(const RasterGrid& raster, const RasterOptions& options);
 
+/// Ground that is steeper in the median than any on Earth is in two units: heights in millimetres over cells in metres.
+/// Throws OptionError ("value_scale") above a slope of 10, or of 50 where `cell` is given. Level parts do not count,
+/// and ground of which they are more than three quarters is taken as it is.
+void check_slopes(const RasterGrid& raster, const RasterOptions& options);
+
 }  // namespace leastcost

@@ -117,20 +117,22 @@ class Field:
 
     @cached_property
     def values(self) -> NDArray[np.float64]:
-        """(rows, columns), row 0 in the north (y is largest); on a mesh (n,), in the order of V. NaN: no path."""
+        """(rows, columns), row 0 in the north (y is largest); in space (nodes along x, y, z); on a mesh (n,), in the
+        order of V. NaN: no path."""
         return self._core.values()
 
     @property
-    def axes(self) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-        """x of the columns and y of the rows of `values`, which falls; None on a mesh."""
+    def axes(self) -> tuple[NDArray[np.float64], ...] | None:
+        """x of the columns and y of the rows of `values`, which falls; in space x, y and z; None on a mesh."""
         return self._core.axes()
 
     @property
     def nodes(self) -> NDArray[np.float64]:
-        """(rows, columns, 2), coordinates of the nodes; on a mesh (n, 3), NaN for vertices of no face."""
+        """(rows, columns, 2), coordinates of the nodes; in space (x, y, z, 3); on a mesh (n, 3), NaN for
+        vertices of no face."""
         axes, mesh = self._core.axes(), self._core.mesh()
         if axes is not None:
-            return np.stack(np.meshgrid(*axes), axis=-1)
+            return np.stack(np.meshgrid(*axes, indexing="ij" if len(axes) == 3 else "xy"), axis=-1)
         assert mesh is not None
         return mesh[0]
 
@@ -181,8 +183,8 @@ class Field:
         return Field(self._core.corridor(None if to is None else _named(to, "to", self._domain)), self._domain)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Writes a .csv, .npy, .asc (ESRI ASCII grid) or .tif (GeoTIFF, with GDAL) file; on a mesh .csv, .npy, .vtp or
-        .ply. Returns its path."""
+        """Writes a .csv, .npy, .asc (ESRI ASCII grid) or .tif (GeoTIFF, with GDAL) file; in space .csv, .npy or .vti;
+        on a mesh .csv, .npy, .vtp or .ply. Returns its path."""
         file = Path(path)
         self._core.save(file)
         return file
@@ -194,6 +196,8 @@ class Field:
         Axes3D.plot_trisurf."""
         from ._plot_field import plot_field
 
+        if self.values.ndim == 3:
+            raise InputError("a field in space has no plot: draw a slice of values, or save it as .vti for ParaView")
         return plot_field(self, ax, style)
 
     def __repr__(self) -> str:
@@ -242,7 +246,7 @@ def field(
         places = [] if source is None else _several(source, None)
     else:
         if isinstance(domain, (Robot, Cloud)):
-            raise InputError(f"there are no fields on {domain!r}: they are over two coordinates, or on a mesh")
+            raise InputError(f"there are no fields on {domain!r}: they are in the plane, in space or on a mesh")
         if source is None:
             raise InputError("source is missing: where the field is from")
         refuse_mistaken(cost, obstacles)

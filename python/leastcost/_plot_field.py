@@ -29,7 +29,7 @@ def plot_field(field: Field, ax: Axes | None, style: dict[str, Any]) -> Axes:
 
 def _draw_lattice(field: Field, ax: Axes, style: dict[str, Any]) -> None:
     assert field.axes is not None
-    x, y = field.axes
+    x, y = field.axes  # in the plane
     dx, dy = (x[-1] - x[0]) / (len(x) - 1) / 2, (y[0] - y[-1]) / (len(y) - 1) / 2
     extent = (x[0] - dx, x[-1] + dx, y[-1] - dy, y[0] + dy)
     image = ax.imshow(field.values, **{"extent": extent, "cmap": "YlOrBr", "zorder": 0, **style})

@@ -16,6 +16,7 @@
 #include <leastcost/catalogue/catalogue.hpp>
 #include <leastcost/catalogue/output/write_run.hpp>
 #include "app/field/field_files.hpp"
+#include "app/field/field_summary.hpp"
 #include "app/field/run_field.hpp"
 #include "catalogue/output/unit_of_cost.hpp"
 #include "python/src/arrays.hpp"
@@ -106,6 +107,15 @@ py::array values(const Field& made) {
     const std::vector<double> all = in_order_of_file(field.mesh(), field.on_vertices());
     return py::array_t<double>(static_cast<py::ssize_t>(all.size()), all.data());
   }
+  if (field.in_space()) {
+    const SpaceField& space = field.space();
+    py::array_t<double> out({space.count[0], space.count[1], space.count[2]});
+    auto nodes = out.mutable_unchecked<3>();
+    for (std::int32_t i = 0; i < space.count[0]; ++i)
+      for (std::int32_t j = 0; j < space.count[1]; ++j)
+        for (std::int32_t k = 0; k < space.count[2]; ++k) nodes(i, j, k) = space.value(i, j, k);
+    return out;
+  }
   const CostField& lattice = field.lattice();
   py::array_t<double> out({lattice.count[1], lattice.count[0]});
   auto rows = out.mutable_unchecked<2>();
@@ -117,6 +127,17 @@ py::array values(const Field& made) {
 /// x of the columns and y of the rows; none on a mesh.
 std::optional<py::tuple> axes(const Field& made) {
   if (made.field.on_mesh()) return std::nullopt;
+  if (made.field.in_space()) {
+    const SpaceField& space = made.field.space();
+    py::tuple axes(3);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto axis = static_cast<Eigen::Index>(d);
+      Eigen::VectorXd x(space.count[d]);
+      for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = space.lower[axis] + double(i) * space.step[axis];
+      axes[d] = py::array_t<double>(x.size(), x.data());
+    }
+    return axes;
+  }
   const CostField& lattice = made.field.lattice();
   Eigen::VectorXd x(lattice.count[0]), y(lattice.count[1]);
   for (std::int32_t i = 0; i < lattice.count[0]; ++i) x[i] = lattice.node(i, 0).x();
@@ -140,6 +161,7 @@ std::optional<py::tuple> mesh(const Field& made) {
 /// The largest and the mean error; on a mesh the mean is NaN.
 py::tuple errors(const Field& made) {
   const RunField& field = made.field;
+  if (field.in_space()) return py::make_tuple(field.space().error, field.space().mean_error);
   if (!field.on_mesh()) return py::make_tuple(field.lattice().error, field.lattice().mean_error);
   double most = 0;
   for (const double error : field.on_vertices().errors) most = std::max(most, error);
@@ -162,10 +184,12 @@ void bind_field(py::module_& module) {
       .def("axes", &axes)
       .def("mesh", &mesh)
       .def("errors", &errors)
-      .def("method",
-           [](const Field& made) { return made.field.on_mesh() ? "exact windows" : made.field.lattice().method; })
+      .def("method", [](const Field& made) { return app::method_of(made.field); })
       .def("unit", [](const Field& made) { return unit_of_cost(made.field.problem()); })
-      .def("directed", [](const Field& made) { return !made.field.on_mesh() && made.field.lattice().directed; })
+      .def("directed",
+           [](const Field& made) {
+             return made.field.nodes() == app::FieldNodes::plane && made.field.lattice().directed;
+           })
       .def("is_corridor", [](const Field& made) { return made.field.is_corridor(); })
       .def("way", &way, "to"_a)
       .def("corridor", &corridor, "to"_a)

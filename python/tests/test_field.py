@@ -229,3 +229,20 @@ def test_geotiff(tmp_path):
         assert "GDAL" in str(e)
         pytest.skip("this build is without GDAL")
     assert file.read_bytes()[:2] in (b"II", b"MM")
+
+
+def test_a_field_in_space(tmp_path):
+    cube = {"type": "euclidean", "dimension": 3, "lower": [0, 0, 0], "upper": [2, 1, 1]}
+    ball = lc.obstacle.ball(center=[1, 0.5, 0.5], radius=0.2)
+    field = lc.field(cube, (0.5, 0.5, 0.5), obstacles=[ball], resolution=0.1)
+    assert field.values.shape == (21, 11, 11) and [len(axis) for axis in field.axes] == [21, 11, 11]
+    apart = np.linalg.norm(field.nodes - [0.5, 0.5, 0.5], axis=-1)
+    reached = np.isfinite(field.values)
+    assert not reached[10, 5, 5] and (field.values[reached] >= apart[reached] - 1e-3).all()
+    assert field.values[5, 9, 2] == pytest.approx(0.5, abs=0.005) and field.error > 0
+    assert field.way((1.5, 0.5, 0.5)).cost == pytest.approx(1.08, abs=0.01)
+    assert np.nanmin(field.corridor((1.5, 0.5, 0.5)).values) == 0
+    field.save(tmp_path / "f.npy")
+    assert np.array_equal(np.load(tmp_path / "f.npy"), field.values, equal_nan=True)
+    with pytest.raises(lc.InputError, match="save it as .vti"):
+        field.plot()

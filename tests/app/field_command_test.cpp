@@ -84,6 +84,33 @@ TEST_CASE("field command: several places, ways, corridors and the summary") {
   const Called corridor = call({"field", config, "--resolution", "0.5", "-o", out, "--corridor"});
   CHECK(corridor.exit == 0);
   CHECK_THAT(content(out), Contains("\n0,1,2\n"));  // one to go there, three to come back, less the two between
+  CHECK(call({"field", config, "--resolution", "0.5", "-o", out, "--corridor", "--to", "1,2"}).exit == 0);
+  CHECK_THAT(content(out), Contains("\n1,2,0\n") && Contains("\n1,0,2\n"));  // not to the configuration's own target
+}
+
+TEST_CASE("field command: the error of a narrow box is estimated too") {
+  const ScratchDir dir;
+  const std::string config =
+      text_file(dir / "narrow.yaml", "manifold: {type: euclidean, lower: [0, 0], upper: [400, 1]}\ncost: euclidean\n");
+  const Called called = call({"field", config, "-o", (dir / "f.csv").string(), "--from", "1,0.5"});
+  CHECK(called.exit == 0);
+  CHECK_THAT(called.out, Contains("201 x 5 nodes") || Contains("1601 x 5 nodes"));
+  CHECK_THAT(called.out, Contains("error  about"));
+}
+
+TEST_CASE("field and run: a terrain with heights in millimetres is refused in one sentence") {
+  const ScratchDir dir;
+  std::string grid = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 30\n";
+  for (int i = 0; i < 144; ++i) grid += std::to_string(400000 + 400 * ((i * i) % 37)) + (i % 12 == 11 ? "\n" : " ");
+  text_file(dir / "dem.asc", grid);
+  const std::string config = text_file(dir / "dem.yaml",
+                                       "manifold: {type: terrain, file: dem.asc}\ncost: walking\n"
+                                       "ends: {source: {point: [100, 100]}, target: {point: [250, 250]}}\n");
+  for (const std::string command : {"field", "run"}) {
+    const Called called = call({command, config, "-o", (dir / "out.csv").string()});
+    CHECK(called.exit == 3);
+    CHECK_THAT(called.err, Contains("are heights in metres, as cells are? Set value_scale"));
+  }
 }
 
 TEST_CASE("field command: what it refuses, in one sentence") {
@@ -104,6 +131,10 @@ TEST_CASE("field command: what it refuses, in one sentence") {
   refused({"--way", "w.csv"}, 4, "--way needs --to X,Y");
   refused({"--corridor", "--to-here"}, 4, "both directions");
   refused({"--resolution", "0"}, 3, "resolution");
+  refused({"--resolution", "100"}, 3,
+          "is 100, but the shortest side of the box is 2 long: choose at most a quarter of it, 0.5");
+  refused({"--resolution", "0.51"}, 3, "choose at most a quarter of it, 0.5");
+  refused({"--corridor", "--to", "1,1", "--to", "2,1"}, 4, "--corridor leads to one place");
   refused({"--resolution", "0.5", "--to", "4,2", "--way", out}, 4, "name the same file");
   refused({"--resolution", "1e-9"}, 3, "more than 50 million nodes");
   CHECK(call({"field", config}).exit == 2);

@@ -227,6 +227,25 @@ TEST_CASE("field: costs that depend on the direction, from a place and to it") {
   }
 }
 
+TEST_CASE("field: in strong winds the error falls with the step and is covered") {
+  for (const double speed : {0.3, 0.8, 0.95})
+    for (const double turn : {0.1, 0.7}) {
+      const auto wind = make_zermelo_cost(
+          {.speed = "1",
+           .flow = flow::Formula{{std::to_string(speed * std::cos(turn)), std::to_string(speed * std::sin(turn))}}},
+          2);
+      const Problem problem = between(unit_box(), wind, Vector2d(0.4, 0.5), Vector2d(0.9, 0.9));
+      const CostField field = field_of(problem, 0.025);
+      const double most = *std::max_element(field.values.begin(), field.values.end());
+      const double error = worst(field, [&](const Vector2d& x) {
+        return x == problem.source.u ? 0.0 : move_cost(*wind, problem.source.u, x);
+      });
+      CAPTURE(speed, turn, error, field.error, most);
+      CHECK(error < 0.004 * most);
+      CHECK(field.error >= error);
+    }
+}
+
 TEST_CASE("field: 100 random worlds whose cost depends on the direction") {
   int understated = 0;
   const int most = kSanitized ? 5 : 100;

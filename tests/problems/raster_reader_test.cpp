@@ -161,6 +161,27 @@ TEST_CASE("ESRI grid: nan, inf and NA are no data, also as NODATA_value, as R an
   CHECK_THAT(refusal_of_grid(kHead + "1 2 3\n4 north 6\n"), Catch::Contains("expected a value of the grid"));
 }
 
+TEST_CASE("rasters: heights in another unit than cells are no ground") {
+  RasterGrid hills;
+  hills.rows = 20, hills.columns = 30, hills.source = "hills.asc";
+  hills.cell = {30, 30};
+  for (int row = 0; row < hills.rows; ++row)
+    for (int column = 0; column < hills.columns; ++column)
+      hills.values.push_back(40 * std::sin(0.1 * row) * std::cos(0.2 * column));
+  CHECK_NOTHROW(check_slopes(hills, {}));
+  RasterGrid millimetres = hills, walls = hills;
+  for (double& z : millimetres.values) z *= 1000;
+  CHECK_THROWS_WITH(check_slopes(millimetres, {}), Catch::Contains("are heights in metres, as cells are?"));
+  RasterOptions stated;
+  stated.cell = Eigen::VectorXd::Constant(1, 30);
+  CHECK_THROWS_AS(check_slopes(millimetres, stated), OptionError);
+  for (double& z : millimetres.values) z *= 0.2;  // slopes about 30, and cells that somebody has thought about
+  CHECK_THROWS_AS(check_slopes(millimetres, {}), OptionError);
+  CHECK_NOTHROW(check_slopes(millimetres, stated));
+  for (std::size_t i = 0; i < walls.values.size(); ++i) walls.values[i] = i % 30 == 7 ? 2000 : 0;
+  CHECK_NOTHROW(check_slopes(walls, {}));
+}
+
 TEST_CASE("rasters: fill values that nobody declared are named with the option that declares them") {
   const auto refusal = [](const std::string& fill, RasterOptions options) {
     const RasterFile file = read_esri_grid(kHead + "1 2 3\n4 " + fill + " 6\n", "a.asc");
