@@ -160,8 +160,11 @@ void add_field(const CommandLine& line) {
       ->type_name("CONFIG");
   add_set(c, v);
   add_format(c, v);
-  add_output(c, v, "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); on a mesh .csv, .npy, .vtp or .ply",
-             "FILE");
+  add_output(
+      c, v,
+      "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); in space .csv, .npy or .vti; on a mesh .csv, .npy, .vtp "
+      "or .ply",
+      "FILE");
   c.add_option("--figure", v.field.figure, "Draw the field over a lattice for a paper: .svg, .pdf or .png")
       ->type_name("FILE")
       ->check(empty_fault);
