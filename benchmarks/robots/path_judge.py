@@ -301,7 +301,7 @@ def left_out_pairs(notes):
     """Of links, that a note says are not kept apart."""
     found = set()
     for note in notes:
-                if "pairs of parts that touch" in note:
+        if "pairs of parts that touch" in note:
             listed = note.split("configuration tried are ignored:")[1].split(";")[0]
             found |= {frozenset(re.split(" and ", pair.strip())) for pair in listed.split(",")}
     return found

@@ -349,6 +349,7 @@ void Composer::put_among(ListedObstacles obstacles) {
 void Composer::place_goals() {
   const bool several = !config_.ring && config_.target && config_.target->is_several();
   if (!several || !obstacles_placed_ || !out_.problem.manifold || out_.problem.target.u.size() > 0) return;
+  if (out_.problem.source.u.size() == 0) return;  // it was refused, and goals are compared with it
   attempt([&] {
     std::vector<PlacedEnd> all = goals_of(*config_.target, context_.robot.get(), *open_domain_, out_);
     out_.target = all.front();

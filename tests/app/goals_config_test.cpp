@@ -61,6 +61,14 @@ TEST_CASE("goals: what is refused") {
                     Contains("only a target can have several goals"));
 }
 
+TEST_CASE("goals: where the source was refused the message is about the source alone") {
+  for (const char* target : {"{tool: {position: [0.4, 0.3, 0.5]}}", "{points: [[0, 0, 0, -1, 0, 1, 0]]}"}) {
+    std::string text = arm(target);
+    text.replace(text.find("[-1, 0.4"), 3, "[-9");
+    CHECK_THROWS_WITH(parsed(text), Contains("coordinate 0 is -9") && !Contains("ends.target"));
+  }
+}
+
 TEST_CASE("goals: a pose of the tool of an arm") {
   const auto robot = make_dh_arm({});
   const Run run = parsed(arm("{tool: {position: [0.4, 0.3, 0.5], rpy: [3.14159265, 0, 0]}}"));
