@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
@@ -155,7 +157,43 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
   return placed;
 }
 
+/// Whether a full turn of a coordinate brings every link to where it was.
+bool turns(const Kinematics& robot, Eigen::VectorXd x, Eigen::Index coordinate) {
+  constexpr double kSame = 1e-9;
+  std::vector<Frame> before, after;
+  robot.place(x, before);
+  x[coordinate] += 2 * std::numbers::pi;
+  robot.place(x, after);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double size = 1 + before[i].origin.norm();
+    if ((after[i].rotation - before[i].rotation).norm() > kSame) return false;
+    if ((after[i].origin - before[i].origin).norm() > kSame * size) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::string& key) {
+  constexpr double kMostTurns = 100;
+  if (!parts.robot) return;
+  const Kinematics& robot = *parts.robot->kinematics;
+  const Eigen::VectorXd &source = parts.problem.source.u, &end = target.u;
+  if (source.size() != robot.dimension() || end.size() != robot.dimension()) return;
+  for (Eigen::Index i = 0; i < end.size(); ++i) {
+    const double way = end[i] - source[i], count = std::abs(way) / (2 * std::numbers::pi);
+    if (!(count > kMostTurns) || std::isfinite(robot.lower()[i]) || std::isfinite(robot.upper()[i])) continue;
+    Eigen::VectorXd near = end;  // a large angle has few digits left for a turn
+    near[i] = source[i] + std::remainder(way, 2 * std::numbers::pi);
+    if (!turns(robot, near, i)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    const std::string joint = k < parts.robot->joints.size() ? " ('" + parts.robot->joints[k] + "')" : "";
+    throw OptionError(key,
+                      fmt::format("coordinate {}{} is {}, {:.0f} turns from the source; at most {:.0f} are allowed. "
+                                  "The same position within half a turn of the source is {:.9g}",
+                                  i, joint, end[i], count, kMostTurns, near[i]));
+  }
+}
 
 EndOptions with_state(EndOptions options, const Robot* robot, const std::string& path) {
   if (!options.state) return options;
@@ -217,6 +255,7 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 void place_target(const EndOptions& options, const std::string& path, RunParts& out) {
   out.target = place_end(*out.problem.manifold, options, path);
   out.problem.target = out.target.end;
+  refuse_many_turns(out, out.target.end, path + ".point");
   note_latitudes(out);
 }
 

@@ -28,6 +28,10 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 /// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
 
+/// Throws OptionError(key) for a robot's target that is more than 100 turns of a joint without limits from the source:
+/// each turn would be checked.
+void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::string& key);
+
 /// Throws OptionError with this key for a target that is the place of the source.
 void refuse_one_place(const Problem& problem, const std::string& key);
 
