@@ -13,6 +13,7 @@
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
@@ -22,6 +23,7 @@
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/problem/moved_end.hpp"
 
 namespace leastcost {
 namespace {
@@ -252,8 +254,16 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
   return at_point(manifold, options, path);
 }
 
+void note_far_end(const std::string& which, const PlacedEnd& placed, RunParts& out) {
+  constexpr double kFar = 0.01;  // of the diameter
+  const auto* data = find_ability<MadeFromData>(*out.problem.manifold);
+  if (data != nullptr && placed.moved > kFar * data->diameter())
+    out.notes.push_back(note_of_moved_end(which, placed.moved));
+}
+
 void place_target(const EndOptions& options, const std::string& path, RunParts& out) {
   out.target = place_end(*out.problem.manifold, options, path);
+  note_far_end("the target", out.target, out);
   out.problem.target = out.target.end;
   refuse_many_turns(out, out.target.end, path + ".point");
   note_latitudes(out);
@@ -274,8 +284,19 @@ void refuse_one_place(const Problem& problem, const std::string& key) {
                     "true) with waypoints around the domain");
 }
 
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key) {
-  const std::string why = why_in_clearance(problem, end);
+std::string why_not_free(const Problem& problem, const PathEnd& end, double clearance, bool of_robot) {
+  std::string why = why_in_clearance(problem, end);
+  if (why.empty()) return why;
+  const Eigen::VectorXd x = positions(*problem.manifold, {end.u, {}, true});
+  const MoveClearance here = find_ability<ChecksMoves>(*problem.manifold)->clearance(x, x);
+  const double depth = -here.upper - clearance;  // of a distance less what is required
+  if (!std::isfinite(depth) || !(depth > kRounding * (1 + x.norm()))) return why;
+  return why + (of_robot ? "; they overlap by " : "; it lies inside, at a depth of ") + short_number(depth);
+}
+
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key, double clearance,
+                             bool of_robot) {
+  const std::string why = why_not_free(problem, end, clearance, of_robot);
   if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
 }
 
