@@ -78,8 +78,8 @@ class Polishing {
     const bool by_answer = !options_.walls && !options_.distance;
     // Then what the planner has not seen on its own path it need not see on ours.
     heeds_clearance_ = !by_answer || !touches(x_, clearance_of(x_));
-    const bool pulls_first = !by_answer && can_plan(space_);
-    Points tight = short_of(x_);
+    const bool pulls_first = !by_answer && can_plan(space_) && (space_.is_flat() || !options_.domain);
+    Points tight = pulls_first && !space_.is_flat() ? with_shortcuts(space_, x_, kPlaces, monitor_) : short_of(x_);
     if (by_answer)
       tight = pulled_tight(space_, tight, options_.search ? *options_.find.points : kPulled, monitor_);
     else if (pulls_first)
@@ -206,6 +206,7 @@ class Polishing {
   }
 
   void search(const Points& first, bool by_answer) {
+    problem_.target.u = first.rightCols(1);  // the same state, perhaps by the other name of a quaternion
     const std::shared_ptr<const Solver> solver = options_.solver ? options_.solver : std::make_shared<Newton>();
     try {
       const std::optional<Points> free = by_answer ? without_obstacles(first, *solver) : std::optional<Points>(first);

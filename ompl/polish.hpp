@@ -33,8 +33,9 @@ struct PolishOptions {
   /// Whether find_path() is asked at all. A chain among the many faces of meshes, with a body of many, may take
   /// minutes, or find no place for its points in a narrow passage; then the path is only shortened and pulled tight.
   bool search = true;
-  /// Most plans of random trees that stand beside the given one, on whatever side of the obstacles: in flat spaces
-  /// under a length of a constant metric, among walls that tell quickly whether a move is clear. 0: none.
+  /// Most plans of random trees that stand beside the given one, on whatever side of the obstacles: under a length of a
+  /// constant metric, among walls that tell quickly whether a move is clear. 0: none. Where states have quaternions at
+  /// most 8, whose best pieces are put together.
   int other_plans = 16;
   FindOptions find = {.points = 100};         ///< points are a number; without post-processors
   std::shared_ptr<const Solver> solver = {};  ///< else Newton

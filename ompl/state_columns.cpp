@@ -161,6 +161,39 @@ bool StateColumns::settle(Eigen::Ref<Eigen::VectorXd> column) const {
   return true;
 }
 
+bool StateColumns::bounded() const {
+  return !constrained_ && std::all_of(parts_.begin(), parts_.end(), [](const Part& part) {
+    if (part.kind != Kind::reals) return true;
+    const ob::RealVectorBounds& bounds = part.space->as<ob::RealVectorStateSpace>()->getBounds();
+    const auto finite = [](double x) { return std::isfinite(x) && std::abs(x) < std::numeric_limits<double>::max(); };
+    return std::all_of(bounds.low.begin(), bounds.low.end(), finite) &&
+           std::all_of(bounds.high.begin(), bounds.high.end(), finite);
+  });
+}
+
+Eigen::VectorXd StateColumns::random(std::mt19937_64& engine) const {
+  Eigen::VectorXd column(rows_);
+  const auto share = [&] { return std::uniform_real_distribution<double>(0, 1)(engine); };
+  for (const Part& part : parts_) {
+    auto here = column.segment(part.row, part.count);
+    if (part.kind == Kind::reals) {
+      const ob::RealVectorBounds& bounds = part.space->as<ob::RealVectorStateSpace>()->getBounds();
+      for (Index i = 0; i < part.count; ++i) {
+        const double low = bounds.low[static_cast<std::size_t>(i)], high = bounds.high[static_cast<std::size_t>(i)];
+        here[i] = low + share() * (high - low);
+      }
+    } else if (part.kind == Kind::angle) {
+      here[0] = turn_ * std::numbers::pi * (2 * share() - 1);
+    } else {  // K. Shoemake 1992
+      const double u = share(), v = 2 * std::numbers::pi * share(), w = 2 * std::numbers::pi * share();
+      here << std::sqrt(1 - u) * std::sin(v), std::sqrt(1 - u) * std::cos(v), std::sqrt(u) * std::sin(w),
+          std::sqrt(u) * std::cos(w);
+      here *= turn_;
+    }
+  }
+  return column;
+}
+
 std::shared_ptr<const ConstraintManifold> StateColumns::domain() const {
   if (constrained_) throw InputError("the space is constrained: give the domain of its states");
   if (has_quaternions()) return std::make_shared<PoseDomain>(static_cast<int>(rows_), quaternions(), turn_);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <random>
 #include <vector>
 
 #include <leastcost/framework/cost/segment_cost.hpp>
@@ -53,6 +54,11 @@ class StateColumns {
   void unwrap(const Eigen::VectorXd& before, Eigen::Ref<Eigen::VectorXd> column) const;
   /// Quaternions to the length that they have in columns; false where one has none.
   bool settle(Eigen::Ref<Eigen::VectorXd> column) const;
+
+  /// Whether random() may be asked: reals have finite bounds, and states no constraint.
+  bool bounded() const;
+  /// Uniform within the bounds of reals, and over all angles and rotations.
+  Eigen::VectorXd random(std::mt19937_64& engine) const;
 
   /// Where the columns may be: on the sphere for a quaternion, elsewhere within the bounds of the space (beside a
   /// quaternion it does not know the bounds). Throws InputError for a constrained space.

@@ -85,12 +85,13 @@ class Robot:
                       and (group is None or j.name in group)]
         self.lower = np.array([limits[n][0] for n in self.names])
         self.upper = np.array([limits[n][1] for n in self.names])
-        self.held = {j.name: hold.get(j.name, min(max(0.0, j.hard[0]), j.hard[1])) for j in self.joints}
         base = options.get("base", {})
         self.base = np.eye(4)
         self.base[:3, :3], self.base[:3, 3] = rpy_matrix(base.get("rpy", [0, 0, 0])), base.get("position", [0, 0, 0])
         self.links, self.top = links, top
         self.by_name = {j.name: j for j in self.joints}
+        room = {j.name: self.room(j) for j in self.joints}
+        self.held = {j.name: hold.get(j.name, min(max(0.0, room[j.name][0]), room[j.name][1])) for j in self.joints}
         self.read_shapes(root, meshes)
         self.find_bodies()
         self.find_pairs(srdf)
@@ -100,6 +101,19 @@ class Robot:
         while joint.mimic:
             joint = self.by_name[joint.mimic[0]]
         return joint
+
+    def room(self, joint):
+        """Where a joint and all that mimic it are within their limits."""
+        low, high = joint.hard
+        for other in self.joints:
+            factor, offset, one = 1.0, 0.0, other
+            while one.mimic and one is not joint:
+                factor, offset, one = factor * one.mimic[1], offset + factor * one.mimic[2], self.by_name[one.mimic[0]]
+            if one is not joint or other is joint or factor == 0:
+                continue
+            ends = sorted((limit - offset) / factor for limit in other.hard)
+            low, high = max(low, ends[0]), min(high, ends[1])
+        return low, high
 
     def values(self, joint, q):
         if joint.mimic:
@@ -301,7 +315,7 @@ def left_out_pairs(notes):
     """Of links, that a note says are not kept apart."""
     found = set()
     for note in notes:
-                if "pairs of parts that touch" in note:
+        if "pairs of parts that touch" in note:
             listed = note.split("configuration tried are ignored:")[1].split(";")[0]
             found |= {frozenset(re.split(" and ", pair.strip())) for pair in listed.split(",")}
     return found

@@ -234,6 +234,7 @@ void Composer::take_domain() {
   const bool placed = attempt([&] {
     out_.source = place_end(manifold, end(config_.source, "ends.source"), "ends.source");
     out_.problem.source = out_.source.end;
+    note_far_end("the source", out_.source, out_);
     context_.source = source_position(out_.problem);
   });
   if (!placed) context_.source = Eigen::VectorXd::Zero(dimension);  // the other parts are checked all the same
@@ -330,7 +331,10 @@ void Composer::place_obstacles() {
   if (!fits || !made || !attempt([&] { put_among(std::move(obstacles)); })) return;
   for (const auto& [end, key] :
        {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})
-    if (end->u.size() > 0) attempt([&, end = end, key = key] { refuse_end_in_clearance(out_.problem, *end, key); });
+    if (end->u.size() > 0)
+      attempt([&, end = end, key = key] {
+        refuse_end_in_clearance(out_.problem, *end, key, config_.clearance, out_.robot != nullptr);
+      });
 }
 
 void Composer::put_among(ListedObstacles obstacles) {
@@ -349,6 +353,7 @@ void Composer::put_among(ListedObstacles obstacles) {
 void Composer::place_goals() {
   const bool several = !config_.ring && config_.target && config_.target->is_several();
   if (!several || !obstacles_placed_ || !out_.problem.manifold || out_.problem.target.u.size() > 0) return;
+  if (out_.problem.source.u.size() == 0) return;  // it was refused, and goals are compared with it
   attempt([&] {
     std::vector<PlacedEnd> all = goals_of(*config_.target, context_.robot.get(), *open_domain_, out_);
     out_.target = all.front();

@@ -7,10 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
@@ -20,6 +23,7 @@
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/problem/moved_end.hpp"
 
 namespace leastcost {
 namespace {
@@ -155,7 +159,43 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
   return placed;
 }
 
+/// Whether a full turn of a coordinate brings every link to where it was.
+bool turns(const Kinematics& robot, Eigen::VectorXd x, Eigen::Index coordinate) {
+  constexpr double kSame = 1e-9;
+  std::vector<Frame> before, after;
+  robot.place(x, before);
+  x[coordinate] += 2 * std::numbers::pi;
+  robot.place(x, after);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const double size = 1 + before[i].origin.norm();
+    if ((after[i].rotation - before[i].rotation).norm() > kSame) return false;
+    if ((after[i].origin - before[i].origin).norm() > kSame * size) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::string& key) {
+  constexpr double kMostTurns = 100;
+  if (!parts.robot) return;
+  const Kinematics& robot = *parts.robot->kinematics;
+  const Eigen::VectorXd &source = parts.problem.source.u, &end = target.u;
+  if (source.size() != robot.dimension() || end.size() != robot.dimension()) return;
+  for (Eigen::Index i = 0; i < end.size(); ++i) {
+    const double way = end[i] - source[i], count = std::abs(way) / (2 * std::numbers::pi);
+    if (!(count > kMostTurns) || std::isfinite(robot.lower()[i]) || std::isfinite(robot.upper()[i])) continue;
+    Eigen::VectorXd near = end;  // a large angle has few digits left for a turn
+    near[i] = source[i] + std::remainder(way, 2 * std::numbers::pi);
+    if (!turns(robot, near, i)) continue;
+    const auto k = static_cast<std::size_t>(i);
+    const std::string joint = k < parts.robot->joints.size() ? " ('" + parts.robot->joints[k] + "')" : "";
+    throw OptionError(key,
+                      fmt::format("coordinate {}{} is {}, {:.0f} turns from the source; at most {:.0f} are allowed. "
+                                  "The same position within half a turn of the source is {:.9g}",
+                                  i, joint, end[i], count, kMostTurns, near[i]));
+  }
+}
 
 EndOptions with_state(EndOptions options, const Robot* robot, const std::string& path) {
   if (!options.state) return options;
@@ -214,9 +254,18 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
   return at_point(manifold, options, path);
 }
 
+void note_far_end(const std::string& which, const PlacedEnd& placed, RunParts& out) {
+  constexpr double kFar = 0.01;  // of the diameter
+  const auto* data = find_ability<MadeFromData>(*out.problem.manifold);
+  if (data != nullptr && placed.moved > kFar * data->diameter())
+    out.notes.push_back(note_of_moved_end(which, placed.moved));
+}
+
 void place_target(const EndOptions& options, const std::string& path, RunParts& out) {
   out.target = place_end(*out.problem.manifold, options, path);
+  note_far_end("the target", out.target, out);
   out.problem.target = out.target.end;
+  refuse_many_turns(out, out.target.end, path + ".point");
   note_latitudes(out);
 }
 
@@ -235,8 +284,19 @@ void refuse_one_place(const Problem& problem, const std::string& key) {
                     "true) with waypoints around the domain");
 }
 
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key) {
-  const std::string why = why_in_clearance(problem, end);
+std::string why_not_free(const Problem& problem, const PathEnd& end, double clearance, bool of_robot) {
+  std::string why = why_in_clearance(problem, end);
+  if (why.empty()) return why;
+  const Eigen::VectorXd x = positions(*problem.manifold, {end.u, {}, true});
+  const MoveClearance here = find_ability<ChecksMoves>(*problem.manifold)->clearance(x, x);
+  const double depth = -here.upper - clearance;  // of a distance less what is required
+  if (!std::isfinite(depth) || !(depth > kRounding * (1 + x.norm()))) return why;
+  return why + (of_robot ? "; they overlap by " : "; it lies inside, at a depth of ") + short_number(depth);
+}
+
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key, double clearance,
+                             bool of_robot) {
+  const std::string why = why_not_free(problem, end, clearance, of_robot);
   if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
 }
 

@@ -28,6 +28,13 @@ PlacedEnd place_end(const ConstraintManifold& manifold, const EndOptions& option
 /// place of the source.
 void place_target(const EndOptions& options, const std::string& path, RunParts& out);
 
+/// Adds a note of an end that was given farther than 1 % of its diameter from a domain that is made from data.
+void note_far_end(const std::string& which, const PlacedEnd& placed, RunParts& out);
+
+/// Throws OptionError(key) for a robot's target that is more than 100 turns of a joint without limits from the source:
+/// each turn would be checked.
+void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::string& key);
+
 /// Throws OptionError with this key for a target that is the place of the source.
 void refuse_one_place(const Problem& problem, const std::string& key);
 
@@ -35,7 +42,8 @@ void refuse_one_place(const Problem& problem, const std::string& key);
 bool are_one_place(const Problem& problem);
 
 /// Throws OptionError with this key for an end that an obstacle does not let be there.
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key);
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key, double clearance,
+                             bool of_robot);
 
 /// Where the source is in space.
 Eigen::VectorXd source_position(const Problem& problem);

@@ -92,6 +92,7 @@ std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, const Constrai
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
     const EndOptions one{.point = Eigen::VectorXd(points.row(i))};
     PlacedEnd placed = place_end(open_domain, one, "ends.target");
+    refuse_many_turns(out, placed.end, "ends.target.points");
     const std::string why = why_in_clearance(out.problem, placed.end);
     if (why.empty()) {
       ends.push_back(std::move(placed));

@@ -9,6 +9,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/makes_on_demand.hpp>
 #include "framework/domain/in_parts.hpp"
+#include "framework/problem/moved_end.hpp"
 #include "framework/result/find_path_checks.hpp"
 
 namespace leastcost {
@@ -26,7 +27,7 @@ void place(const ConstraintManifold& manifold, const char* which, PathEnd& end, 
   end.site = found.site;
   if (moved <= kSame * end.u.cwiseAbs().maxCoeff()) return;
   end.u = found.u;
-  notes.push_back(std::string(which) + " was moved onto the domain");
+  notes.push_back(note_of_moved_end(which, moved));
 }
 
 }  // namespace

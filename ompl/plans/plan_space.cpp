@@ -36,12 +36,19 @@ bool PlanSpace::is_free(const Eigen::VectorXd& x) const {
   return space_->satisfiesBounds(from_) && space_->isValid(from_);
 }
 
-bool PlanSpace::moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
-  if (walls_ && !clears(*walls_, a, b))
-    return false;  // what is quicker first; it may ask is_free(), which writes states
+bool PlanSpace::clear_of_walls(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+  return !walls_ || clears(*walls_, a, b);
+}
+
+bool PlanSpace::planner_moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
   columns_.write(a, *from_);
   columns_.write(b, *to_);
   return space_->checkMotion(from_, to_);
+}
+
+/// What is quicker first; it may ask is_free(), which writes states.
+bool PlanSpace::moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const {
+  return clear_of_walls(a, b) && planner_moves(a, b);
 }
 
 double PlanSpace::clearance(const Eigen::VectorXd& x) const {

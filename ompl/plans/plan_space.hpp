@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <random>
 #include <utility>
 
 #include <leastcost/framework/cost/segment_cost.hpp>
@@ -24,8 +25,21 @@ class PlanSpace {
   PlanSpace& operator=(const PlanSpace&) = delete;
 
   bool is_free(const Eigen::VectorXd& x) const;  ///< in bounds, and valid
+  /// Clear of the walls; true where there are none to look at.
+  bool clear_of_walls(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  /// Whether there are bounds, and poses in them are places.
+  bool has_random_places() const { return columns_.has_quaternions() && columns_.bounded(); }
+  /// A place within the bounds, uniform in each part of the space.
+  Eigen::VectorXd random_place(std::mt19937_64& engine) const { return columns_.random(engine); }
+  /// Of the columns that name the same state as b the one that is nearest to a: where the planner's move from a ends.
+  /// In flat spaces b.
+  Eigen::VectorXd seen_from(const Eigen::VectorXd& a, Eigen::VectorXd b) const {
+    if (!is_flat()) columns_.unwrap(a, b);
+    return b;
+  }
   /// By the planner's motion validator, and clear of the walls where there are any to look at.
   bool moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;
+  bool planner_moves(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const;  ///< by its validator alone
   void look_at(std::shared_ptr<const Walls> walls) { walls_ = std::move(walls); }
   const Walls* walls() const { return walls_.get(); }
   const ConstraintManifold& domain() const { return *domain_; }

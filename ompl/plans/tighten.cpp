@@ -34,30 +34,13 @@ Points parts_of(const PlanSpace& space, const Eigen::VectorXd& a, const Eigen::V
   return same || all_move(space, out) ? out : (Points(a.size(), 2) << a, b).finished();
 }
 
-/// The path with its vertices and points between them, no farther apart than an equal share of its length where that
-/// leaves its moves valid.
-Points divided(const PlanSpace& space, const Points& x, int points) {
-  double length = 0;
-  for (Index i = 0; i + 1 < x.cols(); ++i) length += (x.col(i + 1) - x.col(i)).norm();
-  const double share = length / (points + 1);
-  std::vector<Eigen::VectorXd> all{x.col(0)};
-  for (Index i = 0; i + 1 < x.cols(); ++i) {
-    const double pieces = std::max(1.0, std::ceil((x.col(i + 1) - x.col(i)).norm() / share));
-    const Points parts = parts_of(space, x.col(i), x.col(i + 1), static_cast<Index>(pieces));
-    for (Index k = 1; k < parts.cols(); ++k) all.emplace_back(parts.col(k));
-  }
-  Points out(x.rows(), static_cast<Index>(all.size()));
-  for (Index i = 0; i < out.cols(); ++i) out.col(i) = all[static_cast<std::size_t>(i)];
-  return out;
-}
-
 /// The cheapest way through places in their order, by moves that are asked for as late as possible (LazySP: Dellin,
 /// Srinivasa 2016).
 class Shortcuts {
  public:
   Shortcuts(const PlanSpace& space, Points x) : space_(space), x_(std::move(x)), moves_(x_.cols(), x_.cols()) {
     for (Index j = 1; j < x_.cols(); ++j)
-      for (Index i = 0; i < j; ++i) moves_(i, j) = space_.cost(x_.col(i), x_.col(j));
+      for (Index i = 0; i < j; ++i) moves_(i, j) = space_.cost(x_.col(i), space_.seen_from(x_.col(i), x_.col(j)));
   }
 
   Points path(const Monitor& monitor) {
@@ -65,7 +48,10 @@ class Shortcuts {
     while (!monitor.interrupted() && !ask(way)) way = cheapest();
     if (monitor.interrupted() && !ask(way)) return x_;
     Points out(x_.rows(), static_cast<Index>(way.size()));
-    for (Index k = 0; k < out.cols(); ++k) out.col(k) = x_.col(way[static_cast<std::size_t>(k)]);
+    for (Index k = 0; k < out.cols(); ++k) {
+      out.col(k) = x_.col(way[static_cast<std::size_t>(k)]);
+      if (k > 0) out.col(k) = space_.seen_from(out.col(k - 1), out.col(k));
+    }
     return out;
   }
 
@@ -95,7 +81,7 @@ class Shortcuts {
     for (std::size_t k = 0; k + 1 < way.size(); ++k) {
       const Index i = way[k], j = way[k + 1];
       if (j == i + 1 || known_.count({i, j}) > 0) continue;
-      if (space_.moves(x_.col(i), x_.col(j))) {
+      if (space_.moves(x_.col(i), space_.seen_from(x_.col(i), x_.col(j)))) {
         known_.insert({i, j});
       } else {
         moves_(i, j) = std::numeric_limits<double>::infinity();
@@ -134,12 +120,31 @@ class Tightening {
     if (end - begin < 2) return;
     const Points now = x_.middleCols(begin, end - begin + 1);
     const double cost = space_.cost(now);
+    Index blocked = (end - begin) / 2;  // where one part of the way was, the next ones are mostly as well
     for (const double part : kParts) {
       const Points next = moved(now, part);
-      if (!(space_.cost(next) < cost) || !all_move(space_, next)) continue;
+      if (!(space_.cost(next) < cost) || !is_clear(next, blocked) || !planner_moves(next)) continue;
       x_.middleCols(begin, now.cols()) = next;
       return;
     }
+  }
+
+  bool planner_moves(const Points& x) const {
+    for (Index i = 0; i + 1 < x.cols(); ++i)
+      if (!space_.planner_moves(x.col(i), x.col(i + 1))) return false;
+    return true;
+  }
+
+  /// The move that is not clear of walls is asked first the next time.
+  bool is_clear(const Points& x, Index& blocked) const {
+    const Index moves = x.cols() - 1;
+    for (Index k = 0; k < moves; ++k) {
+      const Index i = (blocked + k) % moves;
+      if (space_.clear_of_walls(x.col(i), x.col(i + 1))) continue;
+      blocked = i;
+      return false;
+    }
+    return true;
   }
 
   /// A part of the way to the straight stretch, at equal shares of it.
@@ -159,9 +164,27 @@ class Tightening {
 
 }  // namespace
 
+Points divided(const PlanSpace& space, const Points& x, int points) {
+  double length = 0;
+  for (Index i = 0; i + 1 < x.cols(); ++i) length += (x.col(i + 1) - x.col(i)).norm();
+  const double share = length / (points + 1);
+  std::vector<Eigen::VectorXd> all{x.col(0)};
+  for (Index i = 0; i + 1 < x.cols(); ++i) {
+    const double pieces = std::max(1.0, std::ceil((x.col(i + 1) - x.col(i)).norm() / share));
+    const Points parts = parts_of(space, x.col(i), x.col(i + 1), static_cast<Index>(pieces));
+    for (Index k = 1; k < parts.cols(); ++k) all.emplace_back(parts.col(k));
+  }
+  Points out(x.rows(), static_cast<Index>(all.size()));
+  for (Index i = 0; i < out.cols(); ++i) out.col(i) = all[static_cast<std::size_t>(i)];
+  return out;
+}
+
+/// What is quicker first.
 bool all_move(const PlanSpace& space, const Points& x) {
   for (Index i = 0; i + 1 < x.cols(); ++i)
-    if (!space.moves(x.col(i), x.col(i + 1))) return false;
+    if (!space.clear_of_walls(x.col(i), x.col(i + 1))) return false;
+  for (Index i = 0; i + 1 < x.cols(); ++i)
+    if (!space.planner_moves(x.col(i), x.col(i + 1))) return false;
   return true;
 }
 

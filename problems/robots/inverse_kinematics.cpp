@@ -141,6 +141,9 @@ std::vector<VectorXd> inverse_kinematics(const Kinematics& robot, const ToolGoal
                                          const std::function<bool(const VectorXd&)>& allowed,
                                          const InverseOptions& options) {
   check_goal(robot, goal);
+  if (near.size() != robot.lower().size())
+    throw InputError("a configuration of this robot has " + std::to_string(robot.lower().size()) +
+                     " coordinates, but the one to be near to has " + std::to_string(near.size()));
   const ToolSolve tool(robot, goal, options.tolerance);
   std::mt19937_64 random(options.seed);
   std::vector<VectorXd> found;

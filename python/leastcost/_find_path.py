@@ -103,6 +103,10 @@ def refuse_mistaken(cost: Any, obstacles: Any) -> None:
         raise InputError("obstacles is one obstacle; give a list of them: [lc.obstacle.ball(...)]")
 
 
+#: Tolerance of points beside a mesh: the nearest point of it is meant, however far; a note of the result says how far.
+FAR = 1e300
+
+
 def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
     """As in a configuration."""
     if isinstance(place, Mapping):
@@ -125,7 +129,7 @@ def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
     if wanted is not None and len(x) != wanted:
         raise InputError(f"{name} has {len(x)} coordinates; points of {domain!r} have {wanted}")
     if isinstance(domain, Mesh):
-        return {"point": list(domain._core.position(domain._core.nearest(*x.tolist())))}
+        return {"point": x, "tolerance": FAR}
     return {"point": x}
 
 

@@ -167,3 +167,10 @@ def test_two_components_have_no_path():
 def test_a_missing_file_is_named(tmp_path):
     with pytest.raises(lc.InputError, match="none.obj"):
         lc.Mesh.read(tmp_path / "none.obj")
+
+
+def test_a_place_far_off_the_mesh_is_told_by_a_note(cube):
+    result = lc.find_path(cube, cost="euclidean", source=CUBE_V[0] + [-3, 0, 0], target=CUBE_V[6])
+    assert any("the source is 3 from the domain" in note for note in result.notes)
+    near = lc.find_path(cube, cost="euclidean", source=CUBE_V[0], target=CUBE_V[6])
+    assert not any("from the domain" in note for note in near.notes)

@@ -225,8 +225,22 @@ TEST_CASE("command line: an end on the side of an obstacle is as much too near a
     config.replace(config.find('X'), 1, x);
     return call({"run", write_text(dir / "end.yaml", config), "-n"}).err;
   };
-  CHECK_THAT(refusal("3"), Contains("it is 0.001 too close to the polygon"));
-  CHECK_THAT(refusal("3.25"), Contains("it is 0.251 too close to the polygon"));
+  CHECK_THAT(refusal("3"), Contains("it is 0.001 too close to the polygon") && !Contains("inside"));
+  CHECK_THAT(refusal("3.25"),
+             Contains("it is 0.251 too close to the polygon") && Contains("; it lies inside, at a depth of 0.25\n"));
+}
+
+TEST_CASE("command line: an end far off a mesh is told by a note with its distance") {
+  const ScratchDir dir;
+  write_text(dir / "flat.obj", "v 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nf 1 2 3\nf 1 3 4\n");
+  const auto notes = [&](const std::string& height) {
+    const std::string config =
+        "manifold: {type: mesh, file: flat.obj}\ncost: euclidean\nends: {source: {point: [1, 1, " + height +
+        "], tolerance: 10}, target: {point: [3, 2, 0]}}\n";
+    return call({"run", write_text(dir / "far.yaml", config), "-q", "--force", "-o", (dir / "out").string()}).out;
+  };
+  CHECK_THAT(notes("2.5"), Contains("the source is 2.5 from the domain; the path has its nearest point on it"));
+  CHECK_THAT(notes("0.04"), Contains("moved by 0.04") && !Contains("from the domain"));
 }
 
 TEST_CASE("command line: an end in unknown cells of a map is refused as one, with the option that lets it be there") {

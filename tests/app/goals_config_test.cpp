@@ -61,6 +61,32 @@ TEST_CASE("goals: what is refused") {
                     Contains("only a target can have several goals"));
 }
 
+TEST_CASE("goals: where the source was refused the message is about the source alone") {
+  for (const char* target : {"{tool: {position: [0.4, 0.3, 0.5]}}", "{points: [[0, 0, 0, -1, 0, 1, 0]]}"}) {
+    std::string text = arm(target);
+    text.replace(text.find("[-1, 0.4"), 3, "[-9");
+    CHECK_THROWS_WITH(parsed(text), Contains("coordinate 0 is -9") && !Contains("ends.target"));
+  }
+}
+
+TEST_CASE("ends: a target that is millions of turns away is refused with the angle that is meant") {
+  const auto config = [](const std::string& target) {
+    return "robot: {type: dh_arm, model: {type: table, rows: [[1, 0, 0, 0], [1, 0, 0, 0]], "
+           "shape: [[2, -1, 0, 0, 0, 0, 0, 0.1]]}}\n"
+           "manifold: robot\n"
+           "cost: euclidean\n"
+           "obstacles: [{type: ball, center: [0, 5, 0], radius: 0.1}]\n"
+           "ends: {source: {point: [1, 0]}, target: " +
+           target + "}\n";
+  };
+  const std::string why =
+      "coordinate 0 is 1000000000, 159154943 turns from the source; at most 100 are allowed. The "
+      "same position within half a turn of the source is 0.577395462";
+  CHECK_THROWS_WITH(parsed(config("{point: [1e9, 0]}")), Contains(why));
+  CHECK_THROWS_WITH(parsed(config("{points: [[1e9, 0], [2, 0]]}")), Contains(why));
+  CHECK(parsed(config("{point: [400, 0]}")).parts.problem.target.u[0] == 400);
+}
+
 TEST_CASE("goals: a pose of the tool of an arm") {
   const auto robot = make_dh_arm({});
   const Run run = parsed(arm("{tool: {position: [0.4, 0.3, 0.5], rpy: [3.14159265, 0, 0]}}"));

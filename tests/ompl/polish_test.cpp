@@ -19,6 +19,7 @@
 #include <leastcost/problems/robots/dh_arm.hpp>
 #include <leastcost/problems/robots/rigid_body.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include <leastcost/problems/shapes/box.hpp>
 #include "tests/ompl/plans.hpp"
 
 namespace leastcost::test {
@@ -292,6 +293,50 @@ TEST_CASE("polish: parts of a move with a turn are other motions, and are not ta
   CHECK(ours.cost < 0.8 * ours.given_cost);
   REQUIRE(ours.clearance);
   CHECK(ours.clearance->lower >= kContact);
+}
+
+TEST_CASE("polish: of a body in space the best pieces of several plans are put together") {
+  // A wall with a hole on the way; the given plan goes around the wall.
+  Robot body;
+  body.kinematics = std::make_shared<const SpatialBody>();
+  body.capsules = {{0, {-0.8, 0, 0}, {0.8, 0, 0}, 0.2}};
+  const auto slab = [](double low, double high) {
+    ShapePose pose;
+    pose.position = Eigen::Vector3d(0, (low + high) / 2, 0);
+    return make_box({.size = Eigen::Vector3d(0.6, high - low, 20), .pose = pose});
+  };
+  const PlannerSpace space = open_space(poses());
+  PolishOptions options;
+  options.walls =
+      make_pose_walls(StateColumns(space->getStateSpace()),
+                      std::make_shared<RobotWalls>(make_robot(std::move(body)),
+                                                   RobotWalls::Obstacles{slab(-20, 0.6), slab(1.8, 9.3)}, 0));
+  options.search = false;
+  Points given = Points::Zero(7, 4);
+  given.row(0) << -3, -1.5, 1.5, 3;
+  given.row(6).setOnes();
+  const auto clear = [&](const Polished& ours) {
+    REQUIRE(ours.clearance);
+    CHECK(ours.clearance->lower >= 20 * kContact);
+    CHECK(ours.path->check());
+  };
+  SECTION("another side of the wall is cheaper") {
+    given.row(1) << 0, 9.8, 9.8, 0;
+    const Polished ours = polish(path_through(space, given), options);
+    clear(ours);
+    CAPTURE(ours.why);
+    CHECK(ours.cost < 7);
+    CHECK(polish(path_through(space, given), options).cost == ours.cost);
+  }
+  SECTION("a given plan in collision is replaced") {  // the planner sees no wall
+    const Polished ours = polish(path_through(space, given), options);
+    CHECK(ours.outcome == PolishOutcome::given);  // a clear one costs more
+    given.row(1) << 0, 9, 8, 0;
+    const Polished other = polish(path_through(space, given), options);
+    CAPTURE(other.why);
+    CHECK(other.outcome == PolishOutcome::tightened);
+    clear(other);
+  }
 }
 
 TEST_CASE("pose walls: a robot keeps its cache, its quick answer and its pictures over OMPL's columns") {

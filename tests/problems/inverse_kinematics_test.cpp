@@ -56,6 +56,12 @@ TEST_CASE("inverse kinematics: poses of two arms that they can take are found, w
   }
 }
 
+TEST_CASE("inverse kinematics: a configuration to be near to has the coordinates of the robot") {
+  const auto robot = make_dh_arm({})->kinematics;
+  CHECK_THROWS_WITH(inverse_kinematics(*robot, {.link = 1}, VectorXd(), kAnything),
+                    Catch::Contains("has 7 coordinates, but the one to be near to has 0"));
+}
+
 TEST_CASE("inverse kinematics: an arm of two links in the plane has its two elbows, and stays near with one to spare") {
   DhTable table;
   table.rows = Eigen::MatrixXd::Zero(2, 4);
