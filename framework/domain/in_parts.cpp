@@ -13,6 +13,7 @@ namespace {
 
 /// A point of a cloud takes some 30 us, one of a chart less than 1.
 constexpr Index kColumnPart = 16, kChartPart = 512;
+constexpr Index kBoundPart = 4;  ///< one of a robot on its way between bounds, some 200 us
 
 /// What moves and projections ask for, where it takes longer than they do, and where there is a clock to look at.
 const MakesOnDemand* made_on_demand(const ConstraintManifold& manifold, const Deadline& deadline) {
@@ -45,14 +46,14 @@ void fill_in_parts(const CoordinatePath& path, Index most, const Deadline& deadl
 
 /// The free points of a path moved by move(part, steps, first of them, moved).
 template <class Move>
-void move_in_parts(const CoordinatePath& from, const Points& step, const Deadline& deadline, const Move& move,
-                   CoordinatePath& to) {
-  if (whole(from, deadline)) return move(from, step, 0, to);
+void move_in_parts(const CoordinatePath& from, const Points& step, Index most, const Deadline& deadline,
+                   const Move& move, CoordinatePath& to) {
+  if (whole(from, deadline, most)) return move(from, step, 0, to);
   prepare_like(from, to);
   to.u = from.u;
   CoordinatePath moved;
   const Index first = from.free_begin(), columns = from.u.cols();
-  in_parts(step.cols(), kColumnPart, deadline, [&](Index begin, Index count) {
+  in_parts(step.cols(), most, deadline, [&](Index begin, Index count) {
     // With its neighbours, fixed, as they are by now: what keeps moves from being drawn through something sees them.
     CoordinatePath part{Points(from.u.rows(), count + 2), {}, false};
     for (Index k = 0; k < count + 2; ++k) {
@@ -115,7 +116,8 @@ void retract(const ConstraintManifold& manifold, const CoordinatePath& from, con
   };
   if (manifold.shape() == Shape::flat) return move(from, step, 0, to);
   if (const auto* parts = made_on_demand(manifold, deadline)) parts->make(deadline);
-  move_in_parts(from, step, deadline, move, to);
+  const Index most = find_ability<FitsSegments>(manifold) != nullptr ? kBoundPart : kColumnPart;
+  move_in_parts(from, step, most, deadline, move, to);
 }
 
 void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Points& step,
@@ -125,7 +127,7 @@ void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Po
     of_part.assign(bounds.begin() + begin, bounds.begin() + begin + s.cols());
     domain.retract_onto(a, s, of_part, b);
   };
-  move_in_parts(from, step, deadline, move, to);
+  move_in_parts(from, step, kBoundPart, deadline, move, to);
 }
 
 void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline) {

@@ -8,7 +8,8 @@
 
 /// \file
 /// Products with the small matrices of one point, for sizes that the compiler knows: surfaces in space, the plane,
-/// space. With sizes that it does not know, each took longer than all else that an iteration does at a point.
+/// space, arms of six and seven joints. With sizes that it does not know, each took longer than all else that an
+/// iteration does at a point.
 
 namespace leastcost {
 
@@ -24,6 +25,8 @@ void with_frame_size(int rows, int columns, Visit visit) {
   if (rows == 3 && columns == 2) return visit(FrameSize<3, 2>{});
   if (rows == 2 && columns == 2) return visit(FrameSize<2, 2>{});
   if (rows == 3 && columns == 3) return visit(FrameSize<3, 3>{});
+  if (rows == 6 && columns == 6) return visit(FrameSize<6, 6>{});
+  if (rows == 7 && columns == 7) return visit(FrameSize<7, 7>{});
   visit(FrameSize<Eigen::Dynamic, Eigen::Dynamic>{});
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "framework/energy/solve_fitted.hpp"
 
+#include <string>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -15,12 +16,34 @@ namespace {
 constexpr int kMostFits = 16;
 constexpr int kMostUnsolved = 2;  ///< fits to a chain that is not at rest say little
 
-/// Onto the domain, but for the ends of an open path, which are given.
-void project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor) {
+/// Onto the domain, but for the ends of an open path, which are given. The number of points that found no place there.
+std::size_t project_free(const ConstraintManifold& manifold, CoordinatePath& path, const Monitor& monitor) {
   CoordinatePath moved = path;
-  project(manifold, moved, monitor.limit());
+  const Projection projection = project(manifold, moved, monitor.limit());
   const Index first = path.free_begin(), count = path.free_count();
   path.u.middleCols(first, count) = moved.u.middleCols(first, count);
+  return projection.failed.size();
+}
+
+/// With so many a solve leads nowhere.
+bool are_too_many(std::size_t without_room, const CoordinatePath& path) {
+  constexpr double kMost = 0.1;  // of the points
+  return static_cast<double>(without_room) > kMost * static_cast<double>(path.free_count());
+}
+
+SolveReport no_room_for(std::size_t points) {
+  SolveReport report;
+  report.termination = Termination::line_search_failed;
+  report.message =
+      "obstacles leave no room for " + std::to_string(points) + " of its points; more points keep less away";
+  return report;
+}
+
+/// A solver spaces points equally, unless walls keep neighbours from each other.
+bool is_torn(PathEnergy& energy, const CoordinatePath& path) {
+  constexpr double kTorn = 2.5;  // of the mean
+  const Eigen::VectorXd costs = energy.costs(path);
+  return costs.maxCoeff() > kTorn * costs.mean();
 }
 
 /// Points that were pushed out of walls are spaced equally again where that has stretched a segment: a solver with an
@@ -47,7 +70,8 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
   Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
   if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
     problem.manifold = domain->unfitted(path, agreement);
-    project_free(*problem.manifold, path, monitor);
+    const std::size_t without_room = project_free(*problem.manifold, path, monitor);
+    if (are_too_many(without_room, path)) return {no_room_for(without_room), std::move(problem), true};
     space_pushed(problem, path, monitor.limit());
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
     if (fitted != nullptr)
@@ -56,10 +80,12 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
       agreed = path.u;
   }
   SolveReport report;
+  bool torn = false;
   int unsolved = 0;
   for (int k = 0;; ++k) {
     if (fits && agreed.size() == 0) {
-      project_free(*problem.manifold, path, monitor);
+      const std::size_t without_room = project_free(*problem.manifold, path, monitor);
+      if (k == 0 && are_too_many(without_room, path)) return {no_room_for(without_room), std::move(problem), true};
       space_pushed(problem, path, monitor.limit());
     }
     PathEnergy energy(problem, reference_cost, monitor.limit());
@@ -70,14 +96,14 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
     agreed.resize(0, 0);
     if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
     auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
-    if (fitted == nullptr) break;
+    if (fitted == nullptr || (torn = is_torn(energy, path))) break;
     if (k + 1 == kMostFits) {
       report.cycling = true;
       break;
     }
     problem.manifold = std::move(fitted);
   }
-  return {std::move(report), std::move(problem)};
+  return {std::move(report), std::move(problem), torn};
 }
 
 }  // namespace leastcost

@@ -14,6 +14,9 @@ namespace leastcost {
 struct FittedSolve {
   SolveReport report;
   Problem problem;
+  /// There are too few points: what they have to keep from obstacles leaves many of them no place, so that there was no
+  /// solve, or no way, so that a move of the solved chain is far longer than the others and it was fitted no further.
+  bool torn = false;
 };
 
 /// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree, by

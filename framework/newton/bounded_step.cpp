@@ -12,19 +12,24 @@
 namespace leastcost {
 namespace {
 
-constexpr Index kLooksAtOnce = 16;  ///< between two looks at the clock
-constexpr double kPassed = 0.01;    ///< of a point's move: so far beyond a bound it is worth a program
-constexpr double kHeeded = 2;       ///< of the largest move: bounds farther away than that stay out of the program
-constexpr double kBeside = 0.1;     ///< of the largest move: bounds so near to the end of a step enter it at once
-constexpr double kOver = 1e-9;      ///< of the largest move: a bound that is passed over by less is not
-constexpr int kMostRounds = 20;     ///< in which bounds enter the program
-constexpr Index kManyBounds = 16;   ///< of a point, within reach of the model's own step
-constexpr double kFirstStep = 8;    ///< segments: how far a first step goes among so many
-constexpr double kEndsOn = 1e-7;    ///< of the largest move: nearer to a bound than that a step ends on it
-constexpr double kFewer = 16;       ///< less is added to a Hessian that shortened too much
+constexpr Index kLooksAtOnce = 16;    ///< between two looks at the clock
+constexpr double kPassed = 0.01;      ///< of a point's move: so far beyond a bound it is worth a program
+constexpr double kHeeded = 2;         ///< of the largest move: bounds farther away than that stay out of the program
+constexpr double kBeside = 0.1;       ///< of the largest move: bounds so near to the end of a step enter it at once
+constexpr double kOver = 1e-9;        ///< of the largest move: a bound that is passed over by less is not
+constexpr int kMostRounds = 20;       ///< in which bounds enter the program
+constexpr Index kManyBounds = 16;     ///< of a point, within reach of the model's own step
+constexpr double kFirstStep = 8;      ///< segments: how far a first step goes among so many
+constexpr double kFarthestStep = 16;  ///< mean segments: how far a step goes once one has been shortened
+constexpr double kEndsOn = 1e-7;      ///< of the largest move: nearer to a bound than that a step ends on it
+constexpr double kFewer = 16;         ///< less is added to a Hessian that shortened too much
 
 double longest_segment(const CoordinatePath& open) {
   return (open.u.rightCols(open.u.cols() - 1) - open.u.leftCols(open.u.cols() - 1)).colwise().norm().maxCoeff();
+}
+
+double mean_segment(const CoordinatePath& open) {
+  return (open.u.rightCols(open.u.cols() - 1) - open.u.leftCols(open.u.cols() - 1)).colwise().norm().mean();
 }
 
 }  // namespace
@@ -120,6 +125,8 @@ bool BoundedStep::shorten(const Eigen::VectorXd& gradient) {
 bool BoundedStep::solve(const CoordinatePath& path, const ChainModel& model) {
   if (bounds_ == nullptr || path.ring) return false;
   if (!std::isfinite(radius_) && reaches_many_bounds(path, model.moves)) radius_ = kFirstStep * longest_segment(path);
+  // Small steps, one after another, double it all the same; then a Hessian that just factors asks for an enormous one.
+  if (std::isfinite(radius_)) radius_ = std::min(radius_, kFarthestStep * mean_segment(path));
   moves_ = model.moves;
   double gain = model.decrement;
   Eigen::VectorXd gradient;

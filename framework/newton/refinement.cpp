@@ -54,6 +54,7 @@ bool solve_level(const Problem& problem, CoordinatePath& path, const Monitor& mo
   result.paths.push_back(path);
   result.domains.push_back(solved.problem.manifold);
   if (!is_solved(report.termination)) result.trouble = which + "ended with " + std::string(word_of(report.termination));
+  if (solved.torn) result.trouble = which + "has a move that is far longer than the others: obstacles hold it apart";
   result.collapsed = report.termination == Termination::collapsed;
   return !result.collapsed && !monitor.interrupted();
 }

@@ -53,10 +53,11 @@ class OneReplan {
 
   Replan from(const Result& last) {
     Replan out;
-    out.why_not_old = out.why_not_new = why_no_end();
-    if (!out.why_not_old.empty()) return out;
+    const bool ends_stay = begins_and_ends_as(last);
+    if (!ends_stay && has_no_end(out)) return out;
     old_.result = carried_over(last);
     look_at(old_);
+    if (ends_stay && !old_.valid() && has_no_end(out)) return out;
     if (!old_.valid() || !solver_.moves_points()) push_clear();
     if (!still_at_rest()) improve();
     if (!old_.valid() && !pushed_.valid() && !new_.valid() && !monitor_.interrupted()) {
@@ -90,6 +91,21 @@ class OneReplan {
     out.result = std::move(path.result);
     out.clearance = std::move(path.clearance);
     return out;
+  }
+
+  /// Then a look at the last path is one at the ends, too.
+  bool begins_and_ends_as(const Result& last) const {
+    const Points &u = last.path.u, &x = last.curve.x;
+    const auto joins = [&](const Points& path) {
+      return path.cols() > 1 && path.rows() == problem_.source.u.size() && path.col(0) == problem_.source.u &&
+             path.rightCols(1) == problem_.target.u;
+    };
+    return !problem_.ring && find_ability<HasChart>(*problem_.manifold) == nullptr && joins(u) && joins(x);
+  }
+
+  bool has_no_end(Replan& out) const {
+    out.why_not_old = out.why_not_new = why_no_end();
+    return !out.why_not_old.empty();
   }
 
   /// An end within an obstacle: whatever is searched, there is no path now.

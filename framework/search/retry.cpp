@@ -16,8 +16,10 @@ namespace {
 
 bool never(const Search&, const Outcome&, int) { return false; }
 
-bool goes_through_obstacles(const Search&, const Outcome& out, int tries) {
+bool lacks_points_for_obstacles(const Search&, const Outcome& out, int tries) {
   constexpr double kShallower = 0.75;  // else points are not what it lacks
+  constexpr int kMostTorn = 2;
+  if (out.torn && tries < kMostTorn) return true;
   return out.depth > 0 && (tries == 0 || out.depth < kShallower * out.depth_before);
 }
 
@@ -76,7 +78,7 @@ std::optional<Outcome> resampled(const Search& search, const Outcome& before, co
 }
 
 const Retry kNoRetry = {never, nullptr, nullptr};
-const Retry kDenserBetweenObstacles = {goes_through_obstacles, with_twice_the_points, always};
+const Retry kDenserBetweenObstacles = {lacks_points_for_obstacles, with_twice_the_points, always};
 const Retry kFromCheaperWay = {another_way_is_cheaper, from_cheaper_way, costs_less, true};
 
 void note_denser_points(const Search&, Outcome& out) {

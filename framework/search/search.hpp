@@ -35,6 +35,7 @@ struct Outcome {
   Index points = 0;         ///< free points that the search began with
   double depth = 0;         ///< how far the moves of the solved chain go into obstacles
   double depth_before = 0;  ///< and those of the attempt before it went
+  bool torn = false;        ///< obstacles keep neighbours of the solved chain far apart (FittedSolve)
   PostProcessed curve = {};
   std::optional<std::string> curve_fault = {};  ///< why a post-processor failed
   std::optional<Index> free_segment = {};       ///< the move that costs nothing, of a path joined at a free place

@@ -33,6 +33,7 @@ void solve_chain(const Search& search, Outcome& out) {
     SolveReport& report = out.result.solve;
     report = report.history.empty() ? std::move(solved.report) : joined(report, std::move(solved.report));
     out.solved = std::move(solved.problem);
+    out.torn = solved.torn;
     out.depth = depth_of_moves(search, out);
   });
 }

@@ -92,10 +92,13 @@ Places ClearLines::in_pieces(const Places& nodes) const {
   return path;
 }
 
-/// Between any two places of it, until a round of tries has gained little, or what is left is hopelessly long.
+/// Between any two places of it, and more often between two that are near to each other, where a long path bends: until
+/// a round of tries has gained little, or what is left is hopelessly long. A solver takes much longer for what
+/// shortcuts leave to it than they take to find it.
 Places ClearLines::straightened(Places path, int tries, double longest, std::mt19937_64& engine,
                                 const Monitor& monitor) {
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 8, kOneAnywhere = 4;      // of so many tries
+  constexpr double kBeside = 0.25;                  // of the length: half of what the others may span
   constexpr double kWorth = 1e-3, kOfRound = 5e-3;  // of the length: a shortcut that is tried, a round that goes on
   constexpr double kHopeless = 1.5;                 // of the longest that is of use
   std::vector<double> ends;                         // of the segments, from the first node on
@@ -103,6 +106,12 @@ Places ClearLines::straightened(Places path, int tries, double longest, std::mt1
     ends.clear();
     double sum = 0;
     for (std::size_t i = 0; i + 1 < path.size(); ++i) ends.push_back(sum += (path[i + 1] - path[i]).norm());
+  };
+  const auto pick = [&](int k) -> std::pair<double, double> {
+    const double all = ends.back(), one = uniform_number(engine) * all, other = uniform_number(engine);
+    if (k % kOneAnywhere == 0) return std::minmax(one, other * all);
+    const double half = kBeside * other * other * all;
+    return {std::max(0.0, one - half), std::min(all, one + half)};
   };
   measure();
   double before = ends.back();
@@ -112,7 +121,7 @@ Places ClearLines::straightened(Places path, int tries, double longest, std::mt1
       if (before - ends.back() < kOfRound * before || ends.back() > kHopeless * longest) break;
       before = ends.back();
     }
-    const auto [from, to] = std::minmax({uniform_number(engine) * ends.back(), uniform_number(engine) * ends.back()});
+    const auto [from, to] = pick(k);
     const auto segment_at = [&](double s) { return std::upper_bound(ends.begin(), ends.end() - 1, s) - ends.begin(); };
     const std::ptrdiff_t i = segment_at(from), j = segment_at(to);
     if (i == j) continue;
@@ -132,7 +141,8 @@ Places ClearLines::straightened(Places path, int tries, double longest, std::mt1
 Places ClearLines::shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
                              const Monitor& monitor) {
   constexpr double kShorter = 1 - 1e-9;
-  if (quick()) return in_pieces(straightened(nodes, tries, longest, engine, monitor));
+  constexpr int kTimesIfQuick = 8;
+  if (quick()) return in_pieces(straightened(nodes, kTimesIfQuick * tries, longest, engine, monitor));
   Places path = {nodes.front()};
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     look_at_clock(monitor.deadline);

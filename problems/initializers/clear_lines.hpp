@@ -33,8 +33,8 @@ class ClearLines {
 
   /// The path through `nodes` on the domain, from which `tries` random shortcuts leave out what lies between two of its
   /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline. Where
-  /// quick() is true the lines between the nodes are clear already, and there are fewer tries where they gain little or
-  /// the path would be longer than `longest`, of use to nobody.
+  /// quick() is true the lines between the nodes are clear already; there are up to eight times as many tries, but
+  /// fewer where they gain little or the path would be longer than `longest`, of use to nobody.
   std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, double longest,
                                          std::mt19937_64& engine, const Monitor& monitor);
 

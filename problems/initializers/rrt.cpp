@@ -19,6 +19,8 @@
 namespace leastcost {
 namespace {
 
+constexpr int kTimesIfFar = 3;  ///< as many paths of a robot where the best is far from straight
+
 std::string failure(const RandomTrees& trees, const RrtOptions& options, double distance, bool interrupted) {
   std::ostringstream out;
   out.precision(3);
@@ -49,17 +51,20 @@ Monitor for_further_paths(const Monitor& monitor) {
 }
 
 /// Looks for further paths, with trees of other seeds that may become a few times as large as those of the first: the
-/// shortest of all that there is time for.
-std::vector<Eigen::VectorXd> shortest_of(int paths, std::vector<Eigen::VectorXd> best, int nodes_of_first,
+/// shortest of all that there is time for. Among `more` of them where the best is far from straight.
+std::vector<Eigen::VectorXd> shortest_of(int paths, int more, std::vector<Eigen::VectorXd> best, int nodes_of_first,
                                          const Problem& problem, const RrtOptions& options, const Monitor& monitor) {
   constexpr int kTimesFirst = 4, kTimesFirstOfRobot = 1, kFewest = 200;  // moves of a robot take long to check
   constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;                // far from the seeds that people take
   const int times = problem.source.u.size() > 3 ? kTimesFirstOfRobot : kTimesFirst;
   const int most = std::min(options.max_nodes, std::max(kFewest, times * nodes_of_first));
+  constexpr double kFarFromStraight = 1.25;
+  const double straight = (problem.target.u - problem.source.u).norm();
   const Monitor within = for_further_paths(monitor);
   auto seed = static_cast<std::uint64_t>(*options.seed);
   try {
-    for (int k = 1; k < paths && !within.interrupted(); ++k) {
+    for (int k = 1; k < more && !within.interrupted(); ++k) {
+      if (k >= paths && !(polyline_length(best) > kFarFromStraight * straight)) break;
       RandomTrees trees(problem, options, seed += kNextSeed);
       trees.look_for(polyline_length(best));
       const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most, within);
@@ -97,8 +102,10 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
   FirstPath first;
   first.notes.push_back("rrt: " + std::to_string(trees.size()) + " nodes, " + std::to_string(trees.samples()) +
                         " samples");
-  first.path = as_open_path(shortest_of(options_.paths.value_or(paths_by_default(problem)),
-                                        trees.shortened(*nodes, monitor), trees.size(), problem, options_, monitor));
+  const int paths = options_.paths.value_or(paths_by_default(problem));
+  const bool of_robot = !options_.paths && paths > 1 && problem.source.u.size() > 3;
+  first.path = as_open_path(shortest_of(paths, of_robot ? kTimesIfFar * paths : paths, trees.shortened(*nodes, monitor),
+                                        trees.size(), problem, options_, monitor));
   pin_ends(problem, first.path);
   return first;
 }

@@ -24,14 +24,14 @@ void RrtOptions::fields(FieldVisitor& visit) {
                .exclusive_minimum = true});
   visit.field("max_nodes", max_nodes,
               {.help = "Number of nodes in both trees at which the search gives up.", .minimum = 1});
-  visit.field(
-      "shortcuts", shortcuts,
-      {.help = "Number of random shortcuts tried on the path found; for a robot, an upper limit.", .minimum = 0});
+  visit.field("shortcuts", shortcuts,
+              {.help = "Number of random shortcuts tried on the path found; for a robot, up to eight times as many.",
+               .minimum = 0});
   visit.field(
       "paths", paths,
       {.help =
            "Number of paths to find, of which the shortest is taken; default: among obstacles 8 in space and 4 in more "
-           "dimensions (a robot), otherwise 1.",
+           "dimensions (a robot; up to 12 if the best is far from straight), otherwise 1.",
        .minimum = 1});
   visit.field("seed", seed, {.help = "Seed of the samples; default: the seed of the run.", .minimum = 0});
 }

@@ -16,7 +16,7 @@ struct RrtOptions {
   double reach = 1;
   int max_nodes = 20000;
   int shortcuts = 200;
-  std::optional<int> paths = {};  ///< else among obstacles 8 in space, 4 in more dimensions; 1 elsewhere
+  std::optional<int> paths = {};  ///< else among obstacles 8 in space, 4 to 12 in more dimensions; 1 elsewhere
   std::optional<int> seed = {};   ///< else the seed of the run
   void fields(FieldVisitor& visit);
 };

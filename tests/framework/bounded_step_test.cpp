@@ -217,4 +217,22 @@ TEST_CASE("bounded steps: no point moves farther than a radius that follows the 
   }
 }
 
+/// The radius doubled with each of many small steps; then a Hessian that just factored asked for steps of many times
+/// the path, and each look along them took seconds.
+TEST_CASE("bounded steps: many small steps do not make the radius longer than a share of the path") {
+  Random random(8);
+  const Problem problem = among(std::make_shared<HalfPlanes>(std::vector<HalfPlanes::Bound>(kColumns, {{0, 1}, 9})));
+  const CoordinatePath path = crooked(random);
+  PathEnergy energy(problem, 1);
+  ChainModel model;
+  REQUIRE(model.evaluate(energy, path));
+  model.solve(energy, path, HessianKind::exact);
+  BoundedStep step(energy);
+  step.took(1, false);
+  for (int k = 0; k < 60; ++k) step.took(1e-3, true);
+  step.solve(path, model);
+  const double length = (path.u.rightCols(kColumns - 1) - path.u.leftCols(kColumns - 1)).colwise().norm().sum();
+  CHECK(step.part_within(1e6 * Points::Ones(2, 1)) * 1e6 < 16.1 * length / (kColumns - 1));
+}
+
 }  // namespace leastcost::test

@@ -205,4 +205,25 @@ TEST_CASE("free space: a chain with too few points for a gate ends soon") {
   CHECK(report.counters.energies < 200);
 }
 
+/// An arm in a cage: a solve of a chain without room pushed its points and spaced them for minutes.
+TEST_CASE("free space: a chain whose points have no room is not solved at all") {
+  BoxOptions box;
+  box.lower = Vector2d(-3, -0.3);
+  box.upper = Vector2d(3, 0.3);
+  FreeSpace::Obstacles sides;
+  for (double x = -1.5; x < 1.55; x += 0.1)
+    for (const double y : {-0.1, 0.1}) sides.push_back(disc(x, y, 0.02));
+  Problem problem = across(plane(sides, box));
+  for (const int segments : {8, 64}) {
+    CAPTURE(segments);
+    CoordinatePath path{Points::Zero(2, segments + 1), {}, false};
+    path.u.row(0).setLinSpaced(-2, 2);
+    const FittedSolve solved = solve_fitted(problem, Newton(), 4.0 / segments, path, {});
+    CAPTURE(solved.report.message);
+    CHECK(solved.torn == (segments == 8));
+    CHECK(is_solved(solved.report.termination) == (segments == 64));
+    if (solved.torn) CHECK(solved.report.counters.energies == 0);
+  }
+}
+
 }  // namespace leastcost::test
