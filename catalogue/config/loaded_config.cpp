@@ -3,6 +3,7 @@
 #include "catalogue/config/loaded_config.hpp"
 
 #include <cstddef>
+
 #include "framework/base/said_of.hpp"
 
 namespace leastcost {

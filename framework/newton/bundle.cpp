@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
 #include "framework/base/dense_solves.hpp"
 
 namespace leastcost {

@@ -9,11 +9,8 @@
 #include <queue>
 
 namespace leastcost {
-namespace {
 
 using Vector = Eigen::VectorXd;
-
-}  // namespace
 
 PlanRoadmap::PlanRoadmap(const PlanSpace& space, Vector from, Vector to, double longest)
     : space_(space), longest_(longest) {
@@ -27,19 +24,18 @@ int PlanRoadmap::node(const Vector& place) {
   edges_.emplace_back();
   for (int i = 0; i < number; ++i) {
     const Vector& other = nodes_[static_cast<std::size_t>(i)];
-    if ((space_.seen_from(other, place) - other).norm() < longest_) link(i, number, false);
+    if ((space_.seen_from(other, place) - other).norm() < longest_) link(i, number, Known::nothing);
   }
   return number;
 }
 
-void PlanRoadmap::link(int i, int j, bool valid) {
-  if (Edge* known = edge(i, j)) {
-    if (valid) known->known = edge(j, i)->known = 2;
+void PlanRoadmap::link(int i, int j, Known known) {
+  if (Edge* there = edge(i, j)) {
+    there->known = edge(j, i)->known = std::max(there->known, known);
     return;
   }
   const Vector& from = nodes_[static_cast<std::size_t>(i)];
   const double cost = space_.cost(from, space_.seen_from(from, nodes_[static_cast<std::size_t>(j)]));
-  const char known = valid ? 2 : 0;
   edges_[static_cast<std::size_t>(i)].push_back({j, cost, known});
   edges_[static_cast<std::size_t>(j)].push_back({i, cost, known});
 }
@@ -56,7 +52,7 @@ void PlanRoadmap::add_path(const Points& x) {
   int before = 0;
   for (Index i = 1; i < x.cols(); ++i) {
     const int here = i + 1 < x.cols() ? node(x.col(i)) : 1;
-    link(before, here, space_.seen_from(x.col(i - 1), x.col(i)) == x.col(i));
+    link(before, here, space_.seen_from(x.col(i - 1), x.col(i)) == x.col(i) ? Known::valid : Known::nothing);
     before = here;
   }
 }
@@ -75,7 +71,7 @@ std::vector<int> PlanRoadmap::way(bool valid_only) const {
     if (cost > least[static_cast<std::size_t>(i)]) continue;
     for (const Edge& edge : edges_[static_cast<std::size_t>(i)]) {
       const auto to = static_cast<std::size_t>(edge.to);
-      if ((valid_only && edge.known < 2) || !(cost + edge.cost < least[to])) continue;
+      if ((valid_only && edge.known != Known::valid) || !(cost + edge.cost < least[to])) continue;
       least[to] = cost + edge.cost;
       before[to] = i;
       open.emplace(least[to], edge.to);
@@ -91,14 +87,14 @@ std::vector<int> PlanRoadmap::way(bool valid_only) const {
 /// Whether all moves of a way are valid; those that are not are taken out.
 bool PlanRoadmap::ask(const std::vector<int>& way) {
   bool valid = true;
-  for (const char wanted : {1, 2}) {
+  for (const Known wanted : {Known::clear_of_walls, Known::valid}) {  // what is quicker to ask first
     for (std::size_t k = 0; k + 1 < way.size(); ++k) {
       Edge* move = edge(way[k], way[k + 1]);
       if (move == nullptr || move->known >= wanted) continue;
       ++asked_;
       const Vector& from = nodes_[static_cast<std::size_t>(way[k])];
       const Vector to = space_.seen_from(from, nodes_[static_cast<std::size_t>(way[k + 1])]);
-      if (wanted == 1 ? space_.clear_of_walls(from, to) : space_.planner_moves(from, to)) {
+      if (wanted == Known::clear_of_walls ? space_.clear_of_walls(from, to) : space_.planner_moves(from, to)) {
         move->known = edge(way[k + 1], way[k])->known = wanted;
         continue;
       }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <set>
-#include <utility>
 #include <vector>
 
 #include <leastcost/framework/base/monitor.hpp>
@@ -28,14 +26,14 @@ class PlanRoadmap {
   long asked() const { return asked_; }
 
  private:
-  using Move = std::pair<int, int>;  ///< nodes, the lesser first
+  enum class Known { nothing, clear_of_walls, valid };  ///< each says more than the one before
   struct Edge {
     int to;
     double cost;
-    char known;  ///< 0: not asked; 1: clear of walls; 2: valid
+    Known known;
   };
   int node(const Eigen::VectorXd& place);
-  void link(int i, int j, bool valid);
+  void link(int i, int j, Known known);
   std::vector<int> way(bool valid_only) const;
   bool ask(const std::vector<int>& way);
   Edge* edge(int i, int j);

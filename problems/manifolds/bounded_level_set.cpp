@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <utility>
+
 #include "framework/base/dense_solves.hpp"
 
 namespace leastcost {
