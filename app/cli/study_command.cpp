@@ -170,7 +170,7 @@ void add_study(const CommandLine& line) {
       study.request.resume = v.resume;
       study.request.parallel = v.parallel;
       study.request.shard = shard;
-      study.request.arguments = arguments;
+      study.request.arguments = line.arguments;
       study.dry_run = v.dry_run;
       study.json = v.json();
       study.quiet = v.quiet;
