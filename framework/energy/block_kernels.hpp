@@ -8,8 +8,8 @@
 namespace leastcost {
 
 /// Arithmetic of the small square blocks of a chain, stored by columns, as plain loops. Eigen's products are made for
-/// larger matrices, and those of six sizes took four times as long to compile. K: the rows of a block where the compiler
-/// is to know them (it then unrolls the loops), 0 where they are known at run time alone.
+/// larger matrices, and those of six sizes took four times as long to compile. K: the rows of a block where the
+/// compiler is to know them (it then unrolls the loops), 0 where they are known at run time alone.
 template <int K>
 struct BlockKernels {
   int rows;  ///< of a block
