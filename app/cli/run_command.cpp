@@ -11,6 +11,7 @@
 #include <ostream>
 #include <utility>
 
+#include <leastcost/framework/base/said_of.hpp>
 #include "app/cli/command_options.hpp"
 #include "app/cli/commands.hpp"
 #include "app/cli/interrupt.hpp"
@@ -19,7 +20,6 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/run_origin.hpp"
-#include "framework/base/said_of.hpp"
 
 namespace leastcost::app {
 namespace {

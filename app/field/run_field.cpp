@@ -5,10 +5,10 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/base/said_of.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
 #include "catalogue/run/run_origin.hpp"
-#include "framework/base/said_of.hpp"
 
 namespace leastcost::app {
 namespace {

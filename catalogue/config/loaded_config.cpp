@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "framework/base/said_of.hpp"
+#include <leastcost/framework/base/said_of.hpp>
 
 namespace leastcost {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "framework/base/said_of.hpp"
+#include <leastcost/framework/base/said_of.hpp>
 
 #include <algorithm>
 #include <array>

@@ -110,7 +110,7 @@ TEST_CASE("a new domain: ends, first path, tables and picture from its abilities
   const PlacedEnd source = place_end(*lattice, end, "ends.source");
   CHECK(source.end.u.isApprox(Eigen::Vector2d(std::sqrt(13.0), std::atan2(2.0, 3.0))));
   end.vertex = kWidth * kWidth;
-  CHECK_THROWS_WITH(place_end(*lattice, end, "ends.source"), "no such node");
+  CHECK_THROWS_WITH(place_end(*lattice, end, "ends.source"), "ends.source.vertex: no such node");
   end = {};
   end.face = 0;
   end.barycentric = Eigen::Vector3d(1, 0, 0);

@@ -44,8 +44,8 @@ TEST_CASE("lagrangian check: the same question is answered from memory, refusals
     ++checks;
     throw OptionError("lagrangian", "is none");
   };
-  CHECK_THROWS_WITH(remembered_check(other, refuse), "is none");
-  CHECK_THROWS_WITH(remembered_check(other, refuse), "is none");
+  CHECK_THROWS_WITH(remembered_check(other, refuse), "lagrangian is none");
+  CHECK_THROWS_WITH(remembered_check(other, refuse), "lagrangian is none");
   CHECK(checks == 6);
   for (int i = 0; i < 200; ++i) {  // old answers make room
     other.dim = 100 + i;

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
-#include "app/cli/commands.hpp"
-
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -14,18 +12,12 @@
 #include <ostream>
 #include <string_view>
 
-#include <leastcost/app/report/report.hpp>
 #include "app/cli/command_options.hpp"
 #include "app/reference/describe.hpp"
 #include "app/reference/markdown.hpp"
-#include "app/study/rows/journal.hpp"
-#include "app/study/study_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
-#include "catalogue/config/load_config.hpp"
-#include "catalogue/config/raster_reading.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/registry/registry.hpp"
-#include "catalogue/run/compose.hpp"
 #include "catalogue/yaml/suggest.hpp"
 
 namespace leastcost::app {
@@ -33,19 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-Json diagnostics_json(const Diagnostics& diagnostics) {
-  Json out = Json::array();
-  for (const Diagnostic& e : diagnostics.sorted()) {
-    Json error = {{"line", nullptr}, {"column", nullptr}, {"origin", nullptr}, {"message", e.message}};
-    if (!e.place.origin.empty())
-      error["origin"] = e.place.origin;
-    else if (e.place.line > 0)
-      error["line"] = e.place.line, error["column"] = e.place.column;
-    out.push_back(error);
-  }
-  return out;
-}
 
 /// The key of a configuration whose items are post-processors.
 constexpr std::string_view kPostProcess = "post_process";
@@ -90,71 +69,7 @@ Json kind_json(const PluginKind& kind) {
   return out;
 }
 
-/// What a default is chosen for that may take a while, and how to do without it; else nothing.
-std::string word_on_default(const LoadedConfig& loaded) {
-  std::string words = word_on_interpolation(loaded);
-  if (!words.empty()) words = "  " + words + "\n";
-  const PluginChoice& first = loaded.config.initializer;
-  if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
-  return words +
-         "  first path: from an arrival-cost field over the two coordinates, which finds paths on all sides\n"
-         "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
-}
-
-/// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
-/// turn. `word`: what to say beside it.
-Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable,
-                      std::string& word) {
-  try {
-    const ConfigText source = config_source(file);
-    if (is_study(source.text)) {
-      LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
-      make_grid(study, CellChecks::parts);
-      return study.errors;
-    }
-    LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
-    if (loaded.errors.empty()) check_parts(loaded);
-    word = word_on_default(loaded);
-    return loaded.errors;
-  } catch (const InputError& e) {
-    readable = false;
-    Diagnostics none(file, "");
-    none.error({}, e.what());
-    return none;
-  }
-}
-
 }  // namespace
-
-Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
-                      const Streams& streams) {
-  Json report = Json::array();
-  bool all_valid = true, all_readable = true;
-  for (const std::string& file : files) {
-    std::string word;
-    const Diagnostics errors = errors_in(file, overrides, all_readable, word);
-    const bool valid = errors.empty();
-    all_valid = all_valid && valid;
-    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}});
-    if (!valid) streams.err << errors.render(streams.color) << errors.count() << '\n';
-    if (valid && !json) streams.out << file << ": valid\n" << word;
-  }
-  if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
-  if (!all_readable) return Exit::input;
-  return all_valid ? Exit::certified : Exit::configuration;
-}
-
-Exit report_command(const std::vector<std::string>& folders, const Streams& streams) {
-  for (const std::string& folder : folders) {
-    // What a study leaves is made from its journal, also of one that was killed.
-    if (const fs::path journal = fs::path(folder) / "journal.jsonl"; fs::exists(journal)) {
-      JournalContent content = read_journal(journal);
-      write_study_files(folder, content);
-    }
-    streams.out << write_report(folder).string() << '\n';
-  }
-  return Exit::certified;
-}
 
 Exit list_command(const std::string& kind, bool json, const Streams& streams) {
   std::vector<std::string> valid = kind_names();
@@ -217,25 +132,6 @@ Exit pages_command(const std::map<std::string, std::string>& pages, const std::s
     return Exit::output;
   }
   return Exit::certified;
-}
-
-void add_validate(const CommandLine& line) {
-  OptionValues& v = line.values;
-  CLI::App& c = *line.app.add_subcommand(
-      "validate", "Check configurations and print every error with its position, without solving");
-  c.add_option("configs", v.configs, "Configurations (YAML); - reads standard input")
-      ->required()
-      ->type_name("CONFIG...");
-  add_set(c, v);
-  add_format(c, v);
-  c.callback([&] { line.chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), line.streams); }; });
-}
-
-void add_report(const CommandLine& line) {
-  OptionValues& v = line.values;
-  CLI::App& c = *line.app.add_subcommand("report", "Rebuild report.html from the files of a run or a study");
-  c.add_option("folders", v.configs, "Output folder of a run or a study")->required()->type_name("DIR...");
-  c.callback([&] { line.chosen = [&] { return report_command(v.configs, line.streams); }; });
 }
 
 void add_reference(const CommandLine& line) {

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The leastcost authors
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "app/cli/command_options.hpp"
+#include "app/study/study_files.hpp"
+#include "catalogue/config/load_config.hpp"
+#include "catalogue/config/raster_reading.hpp"
+#include "catalogue/output/json_numbers.hpp"
+#include "catalogue/run/compose.hpp"
+
+namespace leastcost::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json diagnostics_json(const Diagnostics& diagnostics) {
+  Json out = Json::array();
+  for (const Diagnostic& e : diagnostics.sorted()) {
+    Json error = {{"line", nullptr}, {"column", nullptr}, {"origin", nullptr}, {"message", e.message}};
+    if (!e.place.origin.empty())
+      error["origin"] = e.place.origin;
+    else if (e.place.line > 0)
+      error["line"] = e.place.line, error["column"] = e.place.column;
+    out.push_back(error);
+  }
+  return out;
+}
+
+/// What a default is chosen for that may take a while, and how to do without it; else nothing.
+std::string word_on_default(const LoadedConfig& loaded) {
+  std::string words = word_on_interpolation(loaded);
+  if (!words.empty()) words = "  " + words + "\n";
+  const PluginChoice& first = loaded.config.initializer;
+  if (!first || first.plugin->type != "eikonal" || loaded.tree.find("initializer") != nullptr) return words;
+  return words +
+         "  first path: from an arrival-cost field over the two coordinates, which finds paths on all sides\n"
+         "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
+}
+
+/// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
+/// turn. `word`: what to say beside it.
+Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable,
+                      std::string& word) {
+  try {
+    const ConfigText source = config_source(file);
+    if (is_study(source.text)) {
+      LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
+      make_grid(study, CellChecks::parts);
+      return study.errors;
+    }
+    LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
+    if (loaded.errors.empty()) check_parts(loaded);
+    word = word_on_default(loaded);
+    return loaded.errors;
+  } catch (const InputError& e) {
+    readable = false;
+    Diagnostics none(file, "");
+    none.error({}, e.what());
+    return none;
+  }
+}
+
+}  // namespace
+
+Exit validate_command(const std::vector<std::string>& files, const std::vector<Override>& overrides, bool json,
+                      const Streams& streams) {
+  Json report = Json::array();
+  bool all_valid = true, all_readable = true;
+  for (const std::string& file : files) {
+    std::string word;
+    const Diagnostics errors = errors_in(file, overrides, all_readable, word);
+    const bool valid = errors.empty();
+    all_valid = all_valid && valid;
+    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}});
+    if (!valid) streams.err << errors.render(streams.color) << errors.count() << '\n';
+    if (valid && !json) streams.out << file << ": valid\n" << word;
+  }
+  if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
+  if (!all_readable) return Exit::input;
+  return all_valid ? Exit::certified : Exit::configuration;
+}
+
+void add_validate(const CommandLine& line) {
+  OptionValues& v = line.values;
+  CLI::App& c = *line.app.add_subcommand(
+      "validate", "Check configurations and print every error with its position, without solving");
+  c.add_option("configs", v.configs, "Configurations (YAML); - reads standard input")
+      ->required()
+      ->type_name("CONFIG...");
+  add_set(c, v);
+  add_format(c, v);
+  c.callback([&] { line.chosen = [&] { return validate_command(v.configs, v.overrides(), v.json(), line.streams); }; });
+}
+
+}  // namespace leastcost::app
