@@ -238,7 +238,7 @@ def test_a_field_in_space(tmp_path):
     assert field.values.shape == (21, 11, 11) and [len(axis) for axis in field.axes] == [21, 11, 11]
     apart = np.linalg.norm(field.nodes - [0.5, 0.5, 0.5], axis=-1)
     reached = np.isfinite(field.values)
-    assert not reached[10, 5, 5] and (field.values[reached] >= apart[reached] - 1e-3).all()
+    assert not reached[10, 5, 5] and (field.values[reached] >= apart[reached] - 3e-3).all()
     assert field.values[5, 9, 2] == pytest.approx(0.5, abs=0.005) and field.error > 0
     assert field.way((1.5, 0.5, 0.5)).cost == pytest.approx(1.08, abs=0.01)
     assert np.nanmin(field.corridor((1.5, 0.5, 0.5)).values) == 0

@@ -179,7 +179,7 @@ def test_a_motion_in_the_plane():
     path = lc.find_path(lc.Plane(), None, (0, 0), (3, 4))
     motion = path.trajectory(velocity=10, acceleration=1)
     assert motion.duration == pytest.approx(2 * (4 / 1) ** 0.5) and motion.names == ["x", "y"]  # y alone is as quick
-    with pytest.raises(lc.InputError, match="velocity .*limits of both"):
+    with pytest.raises(lc.InputError, match="velocity: .*limits of both"):
         path.trajectory(acceleration=1)
 
 
