@@ -6,6 +6,7 @@
 #include <CLI/Formatter.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <optional>
 #include <ostream>
@@ -64,6 +65,14 @@ EndOptions end_of(const std::string& text, const std::string& where, const Place
   return end;
 }
 
+/// A field can take minutes: what cannot be written is told before.
+bool has_folder(const std::string& file, const Streams& streams) {
+  const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+  if (folder.empty() || std::filesystem::is_directory(folder)) return true;
+  streams.err << "error: cannot write " << file << ": there is no folder " << folder.string() << '\n';
+  return false;
+}
+
 /// Places as --from has them.
 std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const std::string& option,
                                   const PlaceForm& form) {
@@ -94,6 +103,8 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   if (!arguments.ways.empty() && arguments.to.empty()) throw InputError("--way needs --to X,Y");
   if (!arguments.ways.empty() && arguments.ways == arguments.output)
     throw InputError("--way and --output name the same file");
+  for (const std::string& file : {arguments.output, arguments.figure, arguments.ways})
+    if (!has_folder(file, streams)) return Exit::output;
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
@@ -147,7 +158,8 @@ void add_field(const CommandLine& line) {
   CLI::App& c = *line.app.add_subcommand(
       "field", "Compute the least cost from a place, or from the nearest of several, to every cell or node");
   c.footer(
-      "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps. On a mesh "
+      "Nodes are on the values of a raster of costs; elsewhere the longest side of the box has 200 steps, in space 80. "
+      "On a mesh "
       "they are its vertices, and the values are exact.\n"
       "  leastcost field map.yaml -o field.npy                    from the source of the configuration\n"
       "  leastcost field map.yaml -o f.csv --from 3,4 --to 20,7   and the path from there to a place\n"
@@ -165,13 +177,14 @@ void add_field(const CommandLine& line) {
       "Write to this file: .csv, .npy, .asc or .tif (GeoTIFF); in space .csv, .npy or .vti; on a mesh .csv, .npy, .vtp "
       "or .ply",
       "FILE");
-  c.add_option("--figure", v.field.figure, "Draw the field over a lattice for a paper: .svg, .pdf or .png")
+  c.add_option("--figure", v.field.figure, "Draw the field over a lattice in the plane for a paper: .svg, .pdf or .png")
       ->type_name("FILE")
       ->check(empty_fault);
   add_look(c, v);
-  c.add_option("--from", v.field.from,
-               "Place (on a mesh X,Y,Z or the number of a vertex), or text file with one place per line; can be "
-               "repeated; default: the configuration's source")
+  c.add_option(
+       "--from", v.field.from,
+       "Place (in space X,Y,Z; on a mesh that or the number of a vertex), or text file with one place per line; can be "
+       "repeated; default: the configuration's source")
       ->type_name("X,Y")
       ->allow_extra_args(false);
   c.add_option("--to", v.field.to, "Also find the path from there to this place; can be repeated, or a text file")
@@ -180,12 +193,13 @@ void add_field(const CommandLine& line) {
   c.add_option("--way", v.field.ways, "Write the points of these paths to this CSV file")
       ->type_name("FILE")
       ->check(empty_fault);
-  c.add_option("--resolution", v.field.resolution, "Grid spacing, in length units");
+  c.add_option("--resolution", v.field.resolution,
+               "Grid spacing, in length units; at most a quarter of the shortest side of the box");
   c.add_flag("--to-here", v.field.to_here, "Compute costs of travelling to the given places instead of from them");
-  c.add_flag(
-      "--corridor", v.field.corridor,
-      "Instead of costs: the extra cost of a path forced through each node, which leads to the place of --to, else to "
-      "the configuration's target");
+  c.add_flag("--corridor", v.field.corridor,
+             "Instead of costs: how much more a path through each node costs than the cheapest path; to the place of "
+             "--to, else "
+             "to the configuration's target");
   c.callback([&] {
     if (v.output.empty() && v.field.figure.empty())
       throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");

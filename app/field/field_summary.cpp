@@ -90,8 +90,8 @@ std::string lattice_notes(const RunField& of) {
   const CostField& field = of.lattice();
   std::string out = estimate_notes(field);
   if (field.directed && !of.is_corridor())
-    out += fmt::format("note: there and back differ under this cost; these are costs {} the {}\n",
-                       of.to_places() ? "to" : "from", of.places().size() > 1 ? "places" : "place");
+    out += fmt::format("note: the two directions of a way differ in cost; these are costs of {} the {}\n",
+                       of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place");
   if (field.asymmetry > CostField::kFaithfulAsymmetry)
     out += fmt::format(
         "note: {}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified "

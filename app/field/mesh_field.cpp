@@ -82,7 +82,7 @@ MeshField corridor(const MeshField& from, const MeshField& to) {
     sum.errors[v] += to.errors[v];
     if (sum.values[v] < least) least = sum.values[v];
   }
-  if (!(least < kUnreachable)) throw InputError("corridor: no path joins the two");
+  if (!(least < kUnreachable)) throw InputError("corridor: no path joins the two places");
   for (double& value : sum.values) value -= least;
   return sum;
 }

@@ -86,7 +86,7 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   if (nodes_ == FieldNodes::space) space_ = space_costs_from(problem_, coordinates_of(places_), options_, monitor);
   if (nodes_ != FieldNodes::mesh) return;
   if (options_.resolution)
-    throw OptionError("resolution", "is of a lattice: the nodes of a mesh are its vertices; leave it out");
+    throw OptionError("resolution", "is for lattices; on a mesh the nodes are its vertices: leave it out");
   const auto stop = [&monitor] { return monitor.interrupted(); };
   fields_ = std::make_shared<const MeshFields>(problem_, stop);
   vertices_ = fields_->from(points_of(*fields_, places_), stop);

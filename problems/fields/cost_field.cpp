@@ -211,11 +211,12 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   check_left(places, lattice, field);
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
   const bool smooth = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
-  const double factor = !smooth ? kFirstOrder : raster ? kOfRasters : 1;
+  const double factor = smooth ? kOfDensities : kFirstOrder;
   if (estimates)
     estimate_error(every_second(field.values, lattice),
                    densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), factor,
                    field);
+  if (estimates) allow_for_meeting_fronts<2>(field);
   for (double& value : field.values)
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return field;
@@ -225,7 +226,7 @@ CostField corridor(const CostField& from, const CostField& to) {
   if (from.count != to.count || from.lower != to.lower || from.step != to.step)
     throw InputError("corridor: the two fields have different nodes");
   CostField sum = from;
-  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two");
+  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two places");
   return sum;
 }
 

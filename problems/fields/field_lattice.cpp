@@ -50,6 +50,14 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
   return box;
 }
 
+void check_extent(const LatticeBox& box) {
+  constexpr double kMost = 1e100;  // whose square is a number
+  const Eigen::VectorXd size = box.upper - box.lower;
+  if ((size.array() > 0).all() && size.maxCoeff() < kMost) return;
+  throw InputError("field: the box from " + point_text(box.lower) + " to " + point_text(box.upper) +
+                   (size.maxCoeff() < kMost ? " has no extent" : " is too large"));
+}
+
 void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size) {
   constexpr double kRounding = 1e-6;
   if (!resolution) return;
@@ -67,6 +75,7 @@ IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional
   constexpr double kMostFieldNodes = 5e7;  // 24 bytes each while the front runs
   IsotropicMarch::Lattice lattice{};
   const Vector2d size = box.upper - box.lower;
+  check_extent(box);
   check_resolution(resolution, size);
   for (std::size_t d = 0; d < 2; ++d) {
     const auto k = static_cast<Eigen::Index>(d);

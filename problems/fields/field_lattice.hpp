@@ -28,6 +28,8 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
 /// Along each side of the box: a lattice of every second node, for the error, then has two.
 inline constexpr double kFewestCells = 4;
 
+/// Throws InputError for a box without extent, and for one whose squares overflow.
+void check_extent(const LatticeBox& box);
 /// Throws OptionError ("resolution") for one that is no length, or too long for a box of this size.
 void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size);
 

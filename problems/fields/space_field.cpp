@@ -56,6 +56,7 @@ std::vector<double> densities_in_space(const Problem& problem, const Lattice3& l
 Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& resolution) {
   constexpr double kCells = 80, kMostSpaceNodes = 3e7;  // 40 bytes each while the front runs
   const Vector3d size = box.upper - box.lower;
+  check_extent(box);
   check_resolution(resolution, size);
   Lattice3 lattice{box.lower, Vector3d::Zero(), {}};
   double nodes = 1;
@@ -66,7 +67,8 @@ Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& re
     lattice.count[d] = static_cast<std::int32_t>(cells) + 1;
     nodes *= cells + 1;
   }
-  if (nodes > kMostSpaceNodes) throw OptionError("resolution", "gives more than 30 million nodes: choose a larger one");
+  if (!(nodes <= kMostSpaceNodes))
+    throw OptionError("resolution", "gives more than 30 million nodes: choose a larger one");
   return lattice;
 }
 
@@ -199,7 +201,8 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
     const std::vector<double> coarse = marched_in_space(problem, places, every_second_in_space(lattice),
                                                         every_second_in_space(densities, lattice), monitor);
     estimate_error(every_second_in_space(field.values, lattice), coarse,
-                   MoveCheck(problem).among_obstacles() ? kFirstOrder : 1, field);
+                   MoveCheck(problem).among_obstacles() ? kFirstOrder : kOfDensities, field);
+    allow_for_meeting_fronts<3>(field);
   }
   for (double& value : field.values)
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
@@ -210,7 +213,7 @@ SpaceField corridor(const SpaceField& from, const SpaceField& to) {
   if (from.count != to.count || from.lower != to.lower || from.step != to.step)
     throw InputError("corridor: the two fields have different nodes");
   SpaceField sum = from;
-  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two");
+  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two places");
   return sum;
 }
 

@@ -141,9 +141,10 @@ void check_slopes(const RasterGrid& raster, const RasterOptions& options) {
   const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
   if (!(*middle > (options.cell ? kSteepOfStatedCells : kSteepGround))) return;
-  throw OptionError("value_scale", raster.source + ": half of the slopes are above " + short_number(*middle, 3) +
-                                       ": are heights in metres, as cells are? Set value_scale (0.001 if heights are "
-                                       "in millimetres), or the side of a cell (cell)");
+  throw OptionError("value_scale", raster.source + ": half of the slopes are steeper than " + short_number(*middle, 3) +
+                                       " to 1: are heights in metres, as cells are? Set value_scale (0.001 if heights "
+                                       "are in millimetres), the side of a cell (cell), or degrees: true if cells are "
+                                       "in degrees");
 }
 
 std::string RasterGrid::name_of(int row, int column) const {

@@ -231,7 +231,7 @@ def field(
     corridor: field(...).corridor(): how much dearer a detour through each node is.
     to_here: costs of the way to the places, not from them.
     resolution: from node to node, length units; None: a node on every value of a raster of costs, else a 200th of the
-      longest side. Not on a mesh.
+      longest side, in space an 80th; at most a quarter of the shortest side. Not on a mesh.
     set, folder: as of run().
 
     Raises ConfigError, InputError; KeyboardInterrupt on Ctrl-C.

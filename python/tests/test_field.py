@@ -39,7 +39,7 @@ def test_around_an_obstacle():
     exact = 2 * np.sqrt(0.75) + 0.5 * (np.pi - 2 * np.arccos(0.5))
     way = field.way((3, 1))
     assert exact <= way.cost <= 1.005 * exact
-    with pytest.raises(lc.InputError, match=r"to=\(2, 1\): .*too close to the ball"):
+    with pytest.raises(lc.InputError, match=r"to=\(2, 1\): .*inside the ball"):
         field.way((2, 1))
 
 
