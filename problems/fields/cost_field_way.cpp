@@ -71,7 +71,7 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
   if (!field.to_places) std::reverse(way.begin(), way.end());
   // Where a current leaves few directions, a move whose middle can be crossed may not be possible in pieces.
   const auto possible = [&] { return !way.empty() && cost_of_way(problem, way) < kImpossible; };
-  constexpr std::size_t kMostNodes = 2'000'000;
+  constexpr std::size_t kMostNodes = 200'000;  // of which carried ones take 0.1 ms each
   for (const std::int32_t finer : {1, 2, 4})
     if (!possible() && (finer == 1 || std::size_t(finer) * std::size_t(finer) * field.values.size() < kMostNodes))
       way = way_by_arrivals(field, problem, place, finer);

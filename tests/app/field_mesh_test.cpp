@@ -172,7 +172,7 @@ TEST_CASE("field on a mesh: what it refuses, in one sentence") {
   refused({"--from", "x"}, 4, "--from x: there is no such file, and it is not a place like 12 (a vertex) or 3.5,-2,1");
   refused({"--from", "70"}, 4, "--from 70: ");
   refused({"--to", "5"}, 4, "--to 5: no path on the mesh leads there");
-  refused({"--resolution", "1"}, 3, "the nodes of a mesh are its vertices");
+  refused({"--resolution", "1"}, 3, "on a mesh the nodes are its vertices");
   CHECK_THAT(call({"field", config, "-o", (dir / "f.asc").string()}).err,
              Contains("a field on a mesh can be written as .csv, .npy, .vtp or .ply"));
   const std::string fall = text_file(

@@ -335,7 +335,7 @@ TEST_CASE("field: a way against a current that leaves few directions") {
   // Zermelo's river, whose velocity is (-y, 0): there and back differ, and most moves have no move back.
   const auto river = make_zermelo_cost({.speed = "1", .flow = flow::Formula{{"-y", "0"}}}, 2);
   const Problem sail = between(space(2), river, Vector2d(3.66, -1.86), Vector2d(0, 0));
-  const CostField field = costs_from(sail, {sail.source.u}, {.resolution = 0.06});
+  const CostField field = costs_from(sail, {sail.source.u}, {.resolution = 0.12});
   const std::vector<Vector2d> way = way_down(field, sail, Vector2d(0, 0));
   CHECK(way.front() == Vector2d(3.66, -1.86));
   CHECK(way.back() == Vector2d(0, 0));
