@@ -155,7 +155,7 @@ def test_refused_in_words(make, message):
 
 def test_refused_on_a_mesh_and_of_a_configuration(configs):
     mesh = lc.Mesh.read(configs / "data/hill.obj")
-    with pytest.raises(lc.Error, match="the nodes of a mesh are its vertices"):
+    with pytest.raises(lc.Error, match="on a mesh the nodes are its vertices"):
         lc.field(mesh, 0, resolution=1)
     with pytest.raises(lc.Error, match="three coordinates"):
         lc.field(mesh, (0.5, 0.5))
