@@ -45,14 +45,13 @@ void check_problem(const Problem& problem) {
   if (domain.dimensions().coordinate != 2 || domain.shape() == Shape::polyhedral)
     throw InputError(
         "field: needs a mesh, space or a box of it, or a domain with two coordinates (the plane, a box of it, terrain, "
-        "a "
-        "chart); here leastcost run gives the least cost between two places, with --pairs between many");
+        "a chart); here leastcost run gives the least cost between two places, with --pairs between many");
   const auto* images = find_ability<HasImages>(domain);
   if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
     throw InputError(
-        "field: needs coordinates that do not close on themselves, as longitudes and the angles of a torus do; here "
-        "leastcost run gives the least cost between two places, with --pairs between many; a mesh of the surface has a "
-        "field too");
+        "field: longitudes, the angles of a torus and other coordinates that close on themselves have none; leastcost "
+        "run gives the least cost between two places, with --pairs between many; or compute the field on a mesh of "
+        "the surface");
 }
 
 /// n at the nodes; nothing where a unit of length does not cost the same in all directions.

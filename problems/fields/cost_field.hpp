@@ -32,9 +32,9 @@ struct CostField {
   double asymmetry = 1;
   static constexpr double kFaithfulAsymmetry = 100;  ///< measured in constant winds up to 0.98 of the speed
   std::string method;                                ///< "isotropic march" or "arrival field"
-  /// The largest and the mean difference, at common nodes, from the field on half as many cells; twice that over a
-  /// raster of costs, four times among obstacles and of an arrival field: an estimate of the error, not a bound. NaN
-  /// where it was not asked for or there are too few nodes. Cost units.
+  /// An estimate of the error, not a bound: three times the largest and the mean difference, at common nodes, from the
+  /// field on half as many cells; four times among obstacles and of an arrival field; of several places also a part of
+  /// the bend where their fronts meet. NaN where it was not asked for or there are too few nodes. Cost units.
   double error = std::numeric_limits<double>::quiet_NaN();
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< see `error`
   std::size_t unresolved = 0;  ///< nodes that only the finer of the two fields reaches: passages of one or two cells

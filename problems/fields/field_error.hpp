@@ -35,8 +35,8 @@ void estimate_error(const std::vector<double>& fine, const std::vector<double>& 
 }
 
 /// The fields of several places meet in a kink, which may lie between the nodes of both lattices. Raises the error to a
-/// quarter of the largest second difference of the values; measured, it is at most a sixth. Nodes within two steps of a
-/// place, around which each field is a cone, do not count.
+/// quarter of the largest second difference of the values. Nodes within two steps of a place, around which each field
+/// is a cone, do not count.
 template <std::size_t D, class Field>
 void allow_for_meeting_fronts(Field& field) {
   constexpr double kPart = 0.25, kNear = 2.5;
