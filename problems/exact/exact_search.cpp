@@ -15,6 +15,8 @@ namespace {
 
 /// Of the tolerance, the part that ends the search; the rest is for rounding.
 constexpr double kSearchShare = 0.5;
+/// Where the straight line is as near to the known path as this, it is as good as a bound by fronts.
+constexpr double kStraight = 0.97;
 constexpr double kSameDistance = 1e-12;  // relative: rounding leaves nobody out who is as far as the limit
 
 double rounded_up(const SurfacePath& path) {
@@ -55,9 +57,10 @@ struct ExactSearch::Tables {
 };
 
 struct ExactSearch::Workspace::Parts {
-  explicit Parts(const HalfEdges& mesh) : edges(&mesh), quick(mesh) {}
+  explicit Parts(const HalfEdges& mesh) : edges(&mesh), quick(mesh), fronts(mesh) {}
   const HalfEdges* edges;
   Propagation<double> quick;
+  FrontBound fronts;
   std::unique_ptr<Propagation<DoubleDouble>> fine;  // made when it is needed
 };
 
@@ -86,15 +89,21 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
   const bool with_landmarks = options.landmarks && tables_->landmarks.count() > 0;
-  const LowerBound bound(edges, &to, with_landmarks ? &tables_->landmarks : nullptr);
-
   ExactResult result;
-  result.bound = with_landmarks ? "euclid + " + std::to_string(tables_->landmarks.count()) + " landmarks" : "euclid";
   double start = std::numeric_limits<double>::infinity();
   if (options.start != nullptr) {
     result.path = *options.start;
     result.length = start = rounded_up(result.path);
   }
+  FrontBound* fronts = nullptr;
+  if (options.fronts && std::isfinite(start) && (from.position - to.position).norm() < kStraight * start) {
+    parts.fronts.aim(from, to, start, options.stop);
+    if (parts.fronts.helps()) fronts = &parts.fronts;
+  }
+  result.bound = "euclid";
+  if (with_landmarks) result.bound += " + " + std::to_string(tables_->landmarks.count()) + " landmarks";
+  if (fronts != nullptr) result.bound += " + fronts";
+  const LowerBound bound(edges, &to, with_landmarks ? &tables_->landmarks : nullptr, fronts);
   // What a propagation found is taken over; true when nothing more is to be done.
   const auto take = [&](const auto& run) {
     result.windows += run.windows();

@@ -32,6 +32,7 @@ struct ExactOptions {
   double max_distance = std::numeric_limits<double>::infinity();
   const SurfacePath* start = nullptr;  ///< a path between the ends that is known already
   bool landmarks = true;               ///< use those of the search, if it has any
+  bool fronts = true;                  ///< with a start: bounds by fronts around the target
 };
 
 /// A shortest path with its bounds.
@@ -44,7 +45,7 @@ struct ExactResult {
   double gap = std::numeric_limits<double>::infinity();     ///< (length - lower_bound) / length
   std::int64_t windows = 0;                                 ///< that were made
   bool twice_the_digits = false;                            ///< double was not enough
-  std::string bound;                                        ///< "euclid" or "euclid + 16 landmarks"
+  std::string bound;                                        ///< "euclid", and " + 16 landmarks", " + fronts" where used
   bool out_of_memory = false;                               ///< outcome bounded: it was max_memory
   std::string reason;                                       ///< of outcome blocked, in words
 

@@ -70,7 +70,10 @@ HalfEdges::HalfEdges(const TriangleMesh& mesh, const Deadline& deadline) : mesh_
         make_side<double>(position(mesh.tail(h)), position(mesh.head(h)), position(mesh.tail(mesh.previous(h))));
   }
   look_at_clock(deadline);
-  for (const Side<double>& s : sides_) mean_edge_ += s.length / static_cast<double>(sides);
+  for (const Side<double>& s : sides_) {
+    mean_edge_ += s.length / static_cast<double>(sides);
+    longest_edge_ = std::max(longest_edge_, s.length);
+  }
   for (const Eigen::Vector3d& p : mesh.positions()) reach_ = std::max(reach_, p.lpNorm<Eigen::Infinity>());
   begin_.reserve(at(vertices) + 1);
   corners_.reserve(at(sides));

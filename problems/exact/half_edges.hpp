@@ -68,6 +68,7 @@ class HalfEdges {
   double reach() const { return reach_; }
   /// Length units.
   double mean_edge() const { return mean_edge_; }
+  double longest_edge() const { return longest_edge_; }
 
  private:
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
@@ -81,7 +82,7 @@ class HalfEdges {
   LargeVector<std::int32_t> corner_of_;  // per half-edge, into corners_
   std::vector<VertexKind> kind_;
   std::vector<double> angle_, turn_error_;
-  double reach_ = 0, mean_edge_ = 0;
+  double reach_ = 0, mean_edge_ = 0, longest_edge_ = 0;
 };
 
 /// The side of half-edge h, computed in Real.

@@ -15,6 +15,16 @@ constexpr double kDown = 1 - 32 * kRoundingOf<double>;  // more than the roundin
 
 double length_of(double x, double y) { return std::sqrt(x * x + y * y); }
 
+/// A target beyond the edge that is as far from its ends as these numbers. Squares of distances are a parabola along
+/// the edge with 1 as its leading coefficient, so that its distances are nowhere above the linear interpolation.
+void place_target(double at_tail, double at_head, double length, EdgeState& edge) {
+  edge.target_x = 0.5 * ((at_tail - at_head) * (at_tail + at_head) / length + length);
+  edge.target_y = std::sqrt(std::max(0.0, at_tail * at_tail - edge.target_x * edge.target_x));
+  const double above_tail = length_of(edge.target_x, edge.target_y) - at_tail;
+  const double above_head = length_of(length - edge.target_x, edge.target_y) - at_head;
+  edge.rounding += std::max({0.0, above_tail, above_head});
+}
+
 /// Distance from a landmark to an end that need not be a vertex, from both sides.
 std::pair<double, double> field_at(const HalfEdges& mesh, const Landmarks& landmarks, std::int32_t i,
                                    const EndPoint& end) {
@@ -30,8 +40,8 @@ std::pair<double, double> field_at(const HalfEdges& mesh, const Landmarks& landm
 
 }  // namespace
 
-LowerBound::LowerBound(const HalfEdges& mesh, const EndPoint* target, const Landmarks* landmarks)
-    : mesh_(&mesh), aims_(target != nullptr) {
+LowerBound::LowerBound(const HalfEdges& mesh, const EndPoint* target, const Landmarks* landmarks, FrontBound* fronts)
+    : mesh_(&mesh), aims_(target != nullptr), fronts_(fronts) {
   if (!aims_) return;
   target_ = target->position;
   target_error_ = target->error;
@@ -48,6 +58,7 @@ LowerBound::LowerBound(const HalfEdges& mesh, const EndPoint* target, const Land
 double LowerBound::from_vertex(std::int32_t v) const {
   if (!aims_) return 0;
   double best = (mesh_->position(v) - target_).norm() * kDown - target_error_;
+  if (fronts_ != nullptr) best = std::max(best, fronts_->from_vertex(v));
   if (landmarks_ != nullptr) {
     const std::span<const float> fields = landmarks_->at_least(v);
     double farther = 0;
@@ -76,6 +87,11 @@ void LowerBound::look_from(std::int32_t h, EdgeState& edge) const {
   // Rounding of the target's place in the plane of the edge is relative to its distance.
   const double scale = std::max({edge.rest_tail, edge.rest_head, std::sqrt(std::max(away_a, away_b))});
   edge.rounding = (1 - kDown) * (scale + length) + target_error_;
+  if (fronts_ == nullptr || !(length > 0)) return;
+  const auto at_ends = fronts_->along(h);
+  if (at_ends && std::min(at_ends->first, at_ends->second) > 0 &&
+      at_ends->first + at_ends->second > std::sqrt(away_a) + std::sqrt(away_b))
+    place_target(at_ends->first, at_ends->second, length, edge);
 }
 
 double LowerBound::through(const EdgeState& edge, double length, double begin, double end,

@@ -7,6 +7,7 @@
 
 #include <leastcost/problems/exact/landmarks.hpp>
 #include "problems/exact/end_point.hpp"
+#include "problems/exact/front_bound.hpp"
 #include "problems/exact/window.hpp"
 
 namespace leastcost {
@@ -17,12 +18,14 @@ struct ImagePlace {
   double x = 0, height = 0;
 };
 
-/// Lower bounds on what is left to the target: straight through space, and by landmarks. All are rounded down.
+/// Lower bounds on what is left to the target: straight through space, by landmarks, and by fronts. All are rounded
+/// down.
 class LowerBound {
  public:
   LowerBound() = default;
-  /// Without a target: nothing is left anywhere. Landmarks may be null.
-  LowerBound(const HalfEdges& mesh, const EndPoint* target, const Landmarks* landmarks);
+  /// Without a target: nothing is left anywhere. Landmarks and fronts may be null. With fronts the bounds hold for
+  /// the paths that these count.
+  LowerBound(const HalfEdges& mesh, const EndPoint* target, const Landmarks* landmarks, FrontBound* fronts = nullptr);
 
   bool aims() const { return aims_; }
   /// Of every path from v to the target.
@@ -40,6 +43,7 @@ class LowerBound {
   Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
   double target_error_ = 0;
   const Landmarks* landmarks_ = nullptr;
+  FrontBound* fronts_ = nullptr;
   // Of each landmark: beyond its distance from the target a field leaves its difference to go, before it likewise.
   std::vector<double> beyond_, before_;
 };
