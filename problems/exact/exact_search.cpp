@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
 #include "problems/exact/propagation.hpp"
 
@@ -58,9 +59,21 @@ struct ExactSearch::Tables {
 
 struct ExactSearch::Workspace::Parts {
   explicit Parts(const HalfEdges& mesh) : edges(&mesh), quick(mesh), fronts(mesh) {}
+
+  /// A path that is likely to be the shortest; empty where none is found.
+  SurfacePath likely_path(const SurfacePoint& source, const SurfacePoint& target, const StopPredicate& stop) {
+    if (!geodesics) geodesics = std::make_unique<GeodesicSearch>(edges->mesh());
+    try {
+      return std::move(geodesics->shortest(source, target, {.stop = stop, .routes = 1}).result.path);
+    } catch (const InputError&) {  // an edge with three faces on the way
+      return {};
+    }
+  }
+
   const HalfEdges* edges;
   Propagation<double> quick;
   FrontBound fronts;
+  std::unique_ptr<GeodesicSearch> geodesics;        // made when it is needed
   std::unique_ptr<Propagation<DoubleDouble>> fine;  // made when it is needed
 };
 
@@ -96,9 +109,16 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
     result.length = start = rounded_up(result.path);
   }
   FrontBound* fronts = nullptr;
-  if (options.fronts && std::isfinite(start) && (from.position - to.position).norm() < kStraight * start) {
-    parts.fronts.aim(from, to, start, options.stop);
-    if (parts.fronts.helps()) fronts = &parts.fronts;
+  const double straight = (from.position - to.position).norm();
+  if (options.fronts) {
+    if (options.start == nullptr && FrontBound::is_worth(edges, straight)) {
+      result.path = parts.likely_path(source, target, options.stop);
+      if (!result.path.points.empty()) result.length = rounded_up(result.path);
+    }
+    if (std::isfinite(result.length) && straight < kStraight * result.length) {
+      parts.fronts.aim(from, to, result.length, options.stop);
+      if (parts.fronts.helps()) fronts = &parts.fronts;
+    }
   }
   result.bound = "euclid";
   if (with_landmarks) result.bound += " + " + std::to_string(tables_->landmarks.count()) + " landmarks";

@@ -32,7 +32,9 @@ struct ExactOptions {
   double max_distance = std::numeric_limits<double>::infinity();
   const SurfacePath* start = nullptr;  ///< a path between the ends that is known already
   bool landmarks = true;               ///< use those of the search, if it has any
-  bool fronts = true;                  ///< with a start: bounds by fronts around the target
+  /// Bounds by fronts around the target, for ends that are not near each other. They need a start, and make one from a
+  /// path over edges where none is given.
+  bool fronts = true;
 };
 
 /// A shortest path with its bounds.

@@ -55,6 +55,10 @@ void FrontBound::Front::fill_up() {
 
 FrontBound::FrontBound(const HalfEdges& mesh) : mesh_(&mesh) {}
 
+bool FrontBound::is_worth(const HalfEdges& mesh, double length) {
+  return length >= kWorth * kLeastStep * mesh.mean_edge();
+}
+
 void FrontBound::aim(const EndPoint& source, const EndPoint& target, double upper, const std::function<bool()>& stop) {
   ++query_;
   count_ = 0;
@@ -67,7 +71,7 @@ void FrontBound::aim(const EndPoint& source, const EndPoint& target, double uppe
   rounding_ = kFloats * extent_;
   step_ = std::clamp(static_cast<std::int32_t>(std::min(upper / (kFronts * mesh_->mean_edge()), double{kMostStep})),
                      kLeastStep, kMostStep);
-  if (upper < kWorth * kLeastStep * mesh_->mean_edge()) return;
+  if (!is_worth(*mesh_, upper)) return;
   vertices_.resize(static_cast<std::size_t>(mesh_->mesh().vertex_count()));
   if (!spread(target, stop)) return;
   const std::int32_t levels = static_cast<std::int32_t>(level_end_.size());

@@ -25,6 +25,8 @@ class FrontBound {
  public:
   explicit FrontBound(const HalfEdges& mesh);
 
+  /// Whether fronts gain more than they take, for a way of this length.
+  static bool is_worth(const HalfEdges& mesh, double length);
   /// Makes the fronts around the target. The bounds hold for paths from the source that are shorter than `upper`.
   /// Fewer, or none, where somebody asks to stop; empty: nobody.
   void aim(const EndPoint& source, const EndPoint& target, double upper, const std::function<bool()>& stop = {});
