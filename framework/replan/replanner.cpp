@@ -207,7 +207,7 @@ class OneReplan {
 
   /// Else what can be pushed out of obstacles is what can be returned, most likely.
   bool has_time_to_solve() const {
-    constexpr double kSure = 4;  // times as much as the last one took
+    constexpr double kSure = 10;  // times as much as the last one took
     if (!monitor_.deadline) return true;
     const double left = std::chrono::duration<double>(*monitor_.deadline - Clock::now()).count();
     return seconds_.solve > 0 && kShareOfWarmStart * left >= kSure * seconds_.solve;
