@@ -38,6 +38,12 @@ auto matrix_at(const Points& side_by_side, Size, int columns, Index i) {
                                   columns);
 }
 
+/// Whether the frame of point i is that of the coordinates.
+template <class Size>
+bool is_plain(const Points& bases, Size size, int k, Index i) {
+  return matrix_at(bases, size, k, i).isIdentity(0);
+}
+
 /// T' M S added to `out`, for the frames T and S of points i and j; `m`: in the coordinates of the frames' rows.
 template <class Size, class Derived>
 void add_in_frames(const Points& bases, Size size, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,

@@ -243,12 +243,18 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
   system.set_zero();
   const bool in_coordinates = frames.identity && frames.lifted.size() == 0;
   const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
+  // Among obstacles few points have a frame of their own.
+  std::vector<char> plain(static_cast<std::size_t>(n), in_coordinates ? 1 : 0);
+  if (!in_coordinates && d == k)
+    with_frame_size(d, k, [&](auto size) {
+      for (Index i = 0; i < n; ++i) plain[static_cast<std::size_t>(i)] = is_plain(bases, size, k, i) ? 1 : 0;
+    });
   in_parts(segments, kHessianPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->chain_blocks(x.part(begin, count), *problem_->kernel, s0_, kind, blocks_);
     with_frame_size(d, k, [&](auto size) {
       const auto add = [&](Index i, Index j, Index row, Index column, Eigen::Block<Points> out) {
         const auto h = blocks_.blocks.block<size.kRows, size.kRows>(row, column, d, d);
-        if (in_coordinates)
+        if (plain[static_cast<std::size_t>(i)] != 0 && plain[static_cast<std::size_t>(j)] != 0)
           out += h;
         else
           add_in_frames(bases, size, k, i, j, h, out);

@@ -61,15 +61,27 @@ void space_pushed(const Problem& problem, CoordinatePath& path, const Deadline& 
   if (spaced && stretch(*spaced.chain) < before) path = std::move(*spaced.chain);
 }
 
+/// With the margins of the last chain, where they are of this domain.
+bool start_with(const Fitting& fitting, Problem& problem, CoordinatePath& path, const Deadline& deadline) {
+  const auto* reuses = find_ability<ReusesMargins>(*problem.manifold);
+  if (reuses == nullptr || fitting.kept == nullptr) return false;
+  auto domain = reuses->unfitted_with(*fitting.kept, path, fitting.agreement);
+  if (domain == nullptr) return false;
+  find_ability<ReusesMargins>(*domain)->carry_along(*fitting.kept, path, deadline);
+  problem.manifold = std::move(domain);
+  return true;
+}
+
 }  // namespace
 
 FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
-                         const Monitor& monitor, double agreement) {
+                         const Monitor& monitor, const Fitting& fitting) {
   const auto* domain = find_ability<FitsSegments>(*problem.manifold);
   const bool fits = domain != nullptr && solver.moves_points();
   Points agreed;  // the chain to which the domain was fitted without a change: looking again would say the same
-  if (fits) {     // to the path as it is, too: a move through an obstacle could not be drawn out of it
-    problem.manifold = domain->unfitted(path, agreement);
+  const bool warm = fits && start_with(fitting, problem, path, monitor.limit());
+  if (fits && !warm) {  // to the path as it is, too: a move through an obstacle could not be drawn out of it
+    problem.manifold = domain->unfitted(path, fitting.agreement);
     const std::size_t without_room = project_free(*problem.manifold, path, monitor);
     if (are_too_many(without_room, path)) return {no_room_for(without_room), std::move(problem), true};
     space_pushed(problem, path, monitor.limit());

@@ -4,6 +4,7 @@
 
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/domain/reuses_margins.hpp>
 #include <leastcost/framework/energy/solver.hpp>
 #include <leastcost/framework/problem/problem.hpp>
 
@@ -19,9 +20,13 @@ struct FittedSolve {
   bool torn = false;
 };
 
-/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree, by
-/// `agreement` (FitsSegments::unfitted()).
+struct Fitting {
+  double agreement = FitsSegments::kCloseFit;  ///< of FitsSegments::unfitted()
+  const KeptMargins* kept = nullptr;           ///< of the last chain, where obstacles have moved a little since
+};
+
+/// Solves a chain. Where the domain fits segments, the chain and what the domain is fitted to are made to agree.
 FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference_cost, CoordinatePath& path,
-                         const Monitor& monitor, double agreement = FitsSegments::kCloseFit);
+                         const Monitor& monitor, const Fitting& fitting = {});
 
 }  // namespace leastcost

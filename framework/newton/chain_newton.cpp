@@ -21,6 +21,7 @@ constexpr double kAbsurd = 100;           ///< times as much energy as before: a
 constexpr double kCrawl = 0.01;           ///< of the predicted gain: less, among bounds, leads nowhere
 constexpr int kMostCrawls = 5;            ///< in a row
 constexpr int kMostIdle = 8;              ///< steps in a row that do not halve the least error on the cost
+constexpr double kStepOfTolerance = 0.1;  ///< of the root of the tolerance: cost is of second order in steps
 
 class NewtonSolve {
  public:
@@ -60,7 +61,14 @@ class NewtonSolve {
     if (kinked_) return model_.cost_error <= std::max(kKinkedTolerance, loop_.limits().tolerance);
     const bool right_model = model_.exact || !energy_.has_exact_hessian();
     return right_model && unit_ && model_.cost_error <= loop_.limits().tolerance &&
-           largest_move_ <= kStepTolerance * extent();
+           (largest_move_ <= kStepTolerance * extent() || rests());
+  }
+
+  /// Among bounds, where a step may take a program: what is left to go, if a solve is to be less exact than by default.
+  bool rests() const {
+    if (!bounded_.possible()) return false;
+    const double step = kStepOfTolerance * std::sqrt(loop_.limits().tolerance);
+    return step > kStepTolerance && model_.moves.colwise().norm().maxCoeff() <= step * extent();
   }
 
   /// The rounding of positions that a chart computes keeps the error from falling further.

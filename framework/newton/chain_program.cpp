@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 constexpr double kFirstGap = 1e-3;   ///< slacks begin at no less
 constexpr double kLastGap = 1e-14;   ///< of slack times multiplier
 constexpr double kGoodGap = 1e-10;   ///< the same, where rounding leaves no more
-constexpr double kBold = 0.1;        ///< of that, after a step that went nearly all of its way
+constexpr double kBold = 0.01;       ///< of that, after a step that went nearly all of its way
 constexpr double kCareful = 0.5;     ///< and after one that could not
 constexpr double kToBorder = 0.995;  ///< of the way to where a slack or a multiplier is 0
 constexpr double kLongWay = 0.8, kNoWay = 0.01;

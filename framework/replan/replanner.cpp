@@ -11,7 +11,6 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/fits_segments.hpp>
-#include <leastcost/framework/energy/chain_model.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include "framework/base/grace_deadline.hpp"
 #include "framework/base/point_text.hpp"
@@ -42,14 +41,17 @@ struct Candidate {
 class OneReplan {
  public:
   OneReplan(const Problem& now, const Solver& solver, const Initializer& initializer, const FindOptions& options,
-            const Monitor& monitor, const Rest* rest, double& seconds_per_move)
+            const Monitor& monitor, const Rest& rest, OpenRest& open_rest, const SolvedChain& solved,
+            ReplanSeconds& seconds)
       : problem_(now),
         solver_(solver),
         initializer_(initializer),
         options_(options),
         monitor_(monitor),
         rest_(rest),
-        seconds_per_move_(seconds_per_move) {}
+        open_rest_(open_rest),
+        before_(solved),
+        seconds_(seconds) {}
 
   Replan from(const Result& last) {
     Replan out;
@@ -58,8 +60,10 @@ class OneReplan {
     old_.result = carried_over(last);
     look_at(old_);
     if (ends_stay && !old_.valid() && has_no_end(out)) return out;
-    if (!old_.valid() || !solver_.moves_points()) push_clear();
+    const bool solve_first = asks_for_chain_alone() && has_time_to_solve();
+    if (!solver_.moves_points() || (!old_.valid() && !solve_first)) push_clear();
     if (!still_at_rest()) improve();
+    if (solve_first && !old_.valid() && !new_.valid()) push_and_improve();
     if (!old_.valid() && !pushed_.valid() && !new_.valid() && !monitor_.interrupted()) {
       unfinished_ = new_.result.path;
       begin_anew();
@@ -81,6 +85,8 @@ class OneReplan {
   /// Whether the old path was kept without a solve, and else whether what is delivered was solved.
   bool still() const { return still_; }
   bool at_rest() const { return at_rest_; }
+  /// What a solve came to, delivered or not.
+  SolvedChain solved() { return std::move(solved_); }
 
   /// Without a valid path, what the search came to: the next one goes on from there.
   CoordinatePath unfinished() { return std::move(unfinished_); }
@@ -148,7 +154,7 @@ class OneReplan {
       result.costs = PathEnergy(problem_, 1, last_look()).costs(result.path);
       path.clearance = measure_clearance(*problem_.manifold, x, false, last_look());
       path.why_not = why_not(result, path.clearance);
-      seconds_per_move_ = seconds_since(begin) / static_cast<double>(x.cols() - 1);
+      seconds_.per_move = seconds_since(begin) / static_cast<double>(x.cols() - 1);
     } catch (const Interrupted&) {
       path.why_not = "there was no time to check it";
     }
@@ -199,9 +205,24 @@ class OneReplan {
     }
   }
 
+  /// Else what can be pushed out of obstacles is what can be returned, most likely.
+  bool has_time_to_solve() const {
+    constexpr double kSure = 10;  // times as much as the last one took
+    if (!monitor_.deadline) return true;
+    const double left = std::chrono::duration<double>(*monitor_.deadline - Clock::now()).count();
+    return seconds_.solve > 0 && kShareOfWarmStart * left >= kSure * seconds_.solve;
+  }
+
+  /// What a solve from the old path made nothing valid of may still be pushed out of obstacles, and solved from there.
+  void push_and_improve() {
+    push_clear();
+    before_ = {};
+    improve();
+  }
+
   /// From the old path, or what could be made of it.
   void improve() {
-    const CoordinatePath& from = pushed_.valid() ? pushed_.result.path : old_.result.path;
+    const CoordinatePath& from = continues() ? before_.path : pushed_.valid() ? pushed_.result.path : old_.result.path;
     if (from.u.cols() == 0 || monitor_.interrupted()) return;
     const Monitor within = with_deadline(old_.valid() || pushed_.valid() ? 1 : kShareOfWarmStart);
     attempt([&] {
@@ -211,6 +232,14 @@ class OneReplan {
     });
   }
 
+  /// Whether the last solve was between these ends: where its chain was no better than the old path, it is what the
+  /// margins are of.
+  bool continues() const {
+    const Points &u = before_.path.u, &old = old_.result.path.u;
+    return u.cols() > 1 && !shortened_ && asks_for_chain_alone() && u.rows() == old.rows() && u.cols() == old.cols() &&
+           u.col(0) == old.col(0) && u.rightCols(1) == old.rightCols(1);
+  }
+
   /// Then its looks at the path do what else a search does.
   bool asks_for_chain_alone() const {
     return !options_.certificate.enabled && options_.post_processors.empty() && !options_.cascade &&
@@ -218,30 +247,17 @@ class OneReplan {
            find_ability<FitsSegments>(*problem_.manifold) != nullptr;
   }
 
-  /// Nothing would be cheaper beside the old path even without obstacles: a straight one, mostly.
-  bool rests_without_obstacles() const {
-    constexpr double kAtRest = 1e-12;  // of the cost
-    const ConstraintManifold* open = problem_.manifold->decorated(typeid(void));
-    const CoordinatePath& path = old_.result.path;
-    if (open == nullptr || path.free_count() != options_.points.value() || !(old_.result.curve.cost > 0)) return false;
-    Problem without = problem_;
-    without.manifold = std::shared_ptr<const ConstraintManifold>(problem_.manifold, open);
-    try {
-      PathEnergy energy(without, old_.result.curve.cost / static_cast<double>(path.segment_count()), monitor_.limit());
-      ChainModel model;
-      if (!model.evaluate(energy, path)) return false;
-      model.solve(energy, path, HessianKind::exact);
-      return model.exact && model.cost_error <= kAtRest;
-    } catch (const Interrupted&) {
-      return false;
-    }
+  bool rests_without_obstacles() {
+    const Result& old = old_.result;
+    return !before_.is_held() && old.path.free_count() == options_.points.value() &&
+           open_rest_.holds(problem_, old.path, old.curve.cost, monitor_.limit());
   }
 
   /// Whether the old path needs no solve: it is clear, and what held it is where it was, or nothing need hold it.
   bool still_at_rest() {
     if (!old_.valid() || shortened_ || !asks_for_chain_alone() || monitor_.interrupted()) return false;
     new_.why_not = "nothing that holds the old path has moved";
-    still_ = rests_without_obstacles() || rest_->holds(problem_, old_.result.path);
+    still_ = rests_without_obstacles() || rest_.holds(problem_, old_.result.path);
     if (!still_) new_ = {};
     return still_;
   }
@@ -257,9 +273,13 @@ class OneReplan {
     if (!(out.reference_cost > 0) || !std::isfinite(out.reference_cost))
       throw InitializationError("the path has no cost to begin with that is finite and above 0");
     const Clock::time_point begin = Clock::now();
-    out.solve = solve_fitted(problem_, solver_, out.reference_cost, out.path, within, kAgreement).report;
+    const Fitting fitting{kAgreement, continues() ? &before_.margins : nullptr};
+    FittedSolve solved = solve_fitted(problem_, solver_, out.reference_cost, out.path, within, fitting);
+    out.solve = std::move(solved.report);
     at_rest_ = is_solved(out.solve.termination) && !out.solve.cycling;
-    out.seconds.solve = seconds_since(begin);
+    const auto* reuses = find_ability<ReusesMargins>(*solved.problem.manifold);
+    if (at_rest_ && reuses != nullptr && !within.interrupted()) solved_ = {out.path, reuses->kept_margins(out.path)};
+    out.seconds.solve = seconds_.solve = seconds_since(begin);
     out.status = within.interrupted() ? Status::interrupted : Status::uncertified;
     return out;
   }
@@ -311,7 +331,7 @@ class OneReplan {
     if (!monitor_.deadline) return within;
     const double moves = options_.points.value() + 1;
     const Clock::time_point now = Clock::now(),
-                            end = *monitor_.deadline - clock_duration(1.5 * moves * seconds_per_move_);
+                            end = *monitor_.deadline - clock_duration(1.5 * moves * seconds_.per_move);
     within.deadline = now + clock_duration(part * std::max(0.0, std::chrono::duration<double>(end - now).count()));
     return within;
   }
@@ -331,8 +351,10 @@ class OneReplan {
   const Initializer& initializer_;
   const FindOptions& options_;
   const Monitor& monitor_;
-  const Rest* rest_;  ///< of the last path
-  double& seconds_per_move_;
+  const Rest& rest_;  ///< of the last path
+  OpenRest& open_rest_;
+  SolvedChain before_, solved_;
+  ReplanSeconds& seconds_;
   Candidate old_, pushed_, new_;
   CoordinatePath unfinished_;
   bool at_rest_ = false, still_ = false;
@@ -361,10 +383,11 @@ Replanner::Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const
 
 Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
   check(now);
-  OneReplan once(now, *solver_, *initializer_, options_, monitor, &rest_, seconds_per_move_);
+  OneReplan once(now, *solver_, *initializer_, options_, monitor, rest_, open_rest_, solved_, seconds_);
   Replan out = once.from(last_);
   if (out.outcome == ReplanOutcome::no_valid_path) {
     rest_ = {};
+    solved_ = {};
     if (CoordinatePath unfinished = once.unfinished(); unfinished.u.cols() > 0) {
       last_ = {};
       last_.curve.x = PathEnergy(now, 1).ambient(unfinished).x;
@@ -375,7 +398,9 @@ Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
   last_.path = out.result.path;
   last_.curve = out.result.curve;
   const bool solved = once.at_rest() && !monitor.interrupted();
-  if (!once.still()) rest_ = solved ? Rest(now, last_.path) : Rest();
+  if (once.still()) return out;
+  rest_ = solved ? Rest(now, last_.path) : Rest();
+  solved_ = solved ? once.solved() : SolvedChain{};
   return out;
 }
 

@@ -9,7 +9,9 @@
 
 #include <leastcost/framework/base/words.hpp>
 #include <leastcost/framework/problem/clearance.hpp>
+#include <leastcost/framework/replan/open_rest.hpp>
 #include <leastcost/framework/replan/rest.hpp>
+#include <leastcost/framework/replan/solved_chain.hpp>
 #include <leastcost/framework/search/find_path.hpp>
 
 namespace leastcost {
@@ -32,6 +34,12 @@ struct Replan {
   bool from_initializer = false;         ///< whether a first path had to be made
 };
 
+/// What parts of a replan took last, in wall time.
+struct ReplanSeconds {
+  double per_move = 0;  ///< a look at a path
+  double solve = 0;     ///< 0: none was made
+};
+
 /// Plans again and again while the problem changes: ends that move, obstacles that move, costs that change. It keeps
 /// the last valid path, which is where the next search starts from.
 ///
@@ -50,11 +58,13 @@ class Replanner {
   Replanner(std::shared_ptr<const Solver> solver, std::shared_ptr<const Initializer> initializer, FindOptions options);
 
   /// The old path is looked at first. Where it is clear, was solved, and nothing beside it has moved, it is returned:
-  /// share the cost between problems, for another object may be another cost. What an obstacle has moved onto is pushed
-  /// out of it. Then the problem is solved from there; from a first path of the initializer where that gives nothing
-  /// valid. An end that moved cuts the old path where it is nearest to it. The deadline of the monitor holds as in
-  /// find_path(), what it takes to look at paths included. Throws InputError for a problem whose parts do not fit; an
-  /// end within an obstacle and a first path that is not found are outcomes.
+  /// share the cost between problems, for another object may be another cost. Else the
+  /// problem is solved from there: where a chain alone is asked for, with the margins of the last solve, and from what
+  /// could be pushed out of obstacles if that gives nothing valid. What can be pushed out comes first where little time
+  /// is left, and in other searches. At last
+  /// it is solved from a first path of the initializer. An end that moved cuts the old path where it is nearest to it.
+  /// The deadline of the monitor holds as in find_path(), what it takes to look at paths included. Throws InputError
+  /// for a problem whose parts do not fit; an end within an obstacle and a first path that is not found are outcomes.
   Replan replan(const Problem& now, const Monitor& monitor = {});
 
   /// Where the next search begins: the last path that was valid when it was returned, or, after a search that ended
@@ -64,6 +74,7 @@ class Replanner {
   void forget() {
     last_ = {};
     rest_ = {};
+    solved_ = {};
   }
 
  private:
@@ -71,8 +82,10 @@ class Replanner {
   std::shared_ptr<const Initializer> initializer_;
   FindOptions options_;
   Result last_;
-  Rest rest_;                    ///< of the last path, where it was solved
-  double seconds_per_move_ = 0;  ///< that it takes to look at a path, as measured last
+  Rest rest_;  ///< of the last path, where it was solved
+  OpenRest open_rest_;
+  SolvedChain solved_;  ///< which is the last path, unless that was cheaper
+  ReplanSeconds seconds_;
 };
 
 }  // namespace leastcost

@@ -22,6 +22,7 @@ namespace {
 using Vector = Eigen::VectorXd;
 
 constexpr double kOn = 1e-11;        ///< of the size of the scene: a point so near to a wall lies on it
+constexpr double kSurely = 4;        ///< times as much: what is farther away holds no point
 constexpr double kAlong = 1e-9;      ///< of a step: what of it may lead off a wall that it runs along
 constexpr double kSameSide = 0.5;    ///< cosine between the ways out before and after a step along a wall
 constexpr int kMostPushes = 100;     ///< between walls that push a point to and fro
@@ -239,7 +240,6 @@ bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded,
 
 /// Takes a point that rested on walls before the last fit along with them, where that is not far; false where it stays.
 bool FreeSpace::carry(Point& point) const {
-  constexpr double kFarther = 4;  // than the walls have gone: into a corner, or past a kink
   if (!margins_.carry()) return false;
   const double reach = margins_.widest_before();
   look(point, reach);
@@ -252,7 +252,12 @@ bool FreeSpace::carry(Point& point) const {
     const double steep = point.slope(wall).norm();  // below 1 where a robot's part moves less than it might
     if (steep > 0) gone = std::max(gone, std::abs(margins_.of(wall) - before) / steep);
   }
-  if (held.empty()) return false;
+  return !held.empty() && carry_onto(point, held, gone, reach);
+}
+
+/// `gone`: how far the walls have.
+bool FreeSpace::carry_onto(Point& point, const std::vector<int>& held, double gone, double reach) const {
+  constexpr double kFarther = 4;  // into a corner, or past a kink
   Point carried = point;
   if (!settle(carried, held, true, reach) || (carried.x() - point.x()).norm() > kFarther * gone) return false;
   point = std::move(carried);
@@ -263,8 +268,9 @@ bool FreeSpace::carry(Point& point) const {
 /// where the way leads.
 double FreeSpace::look_ahead(double length) const {
   constexpr double kAhead = 4;  // of the widest margin, as far around any look goes anyway
-  const double ahead = std::max(kAhead * margins_.widest(), kLeastAdvance * length);
-  return flat_ && margins_.widest() > 0 ? std::min(length, ahead) : length;
+  const double widest = std::max(margins_.widest(), margins_.from_cores());
+  const double ahead = std::max(kAhead * widest, kLeastAdvance * length);
+  return flat_ && widest > 0 ? std::min(length, ahead) : length;
 }
 
 /// Ends a way where it first meets a wall that does not hold it; false where it meets one.
@@ -438,6 +444,17 @@ double FreeSpace::residual(const CoordinatePath& path) const {
 int FreeSpace::active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const {
   const auto* bounds = find_ability<HasBounds>(*domain_);
   int count = bounds != nullptr ? bounds->active_bounds(path, column, normals) : 0;
+  if (flat_) {  // most points are near nothing, and places are coordinates
+    thread_local std::vector<Wall> walls;
+    thread_local Vector x;
+    x = path.u.col(column);
+    anything_near(x, 0, walls);
+    const double on = slack(x);
+    for (const Wall& wall : walls)
+      if (count < normals.cols() && std::abs(room(wall)) <= on && wall.slope.norm() > 0)
+        normals.col(count++) = -wall.slope.normalized();
+    return count;
+  }
   Point point(*this, path, column);
   look(point, 0);
   for (const Wall& wall : point.walls) {
@@ -460,6 +477,14 @@ void FreeSpace::bounds_within(const CoordinatePath& path, Index column, double r
       add(i, 1, path.u(i, column) - box->box_lower()[i]);
       add(i, -1, box->box_upper()[i] - path.u(i, column));
     }
+  }
+  if (flat_) {  // places are coordinates
+    thread_local std::vector<Wall> walls;
+    thread_local Vector x;
+    x = path.u.col(column);
+    anything_near(x, reach, walls);
+    for (Wall& wall : walls) found.push_back({wall.obstacle, std::move(wall.slope), room(wall)});
+    return;
   }
   Point point(*this, path, column);
   look(point, reach);
@@ -520,13 +545,68 @@ std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) cons
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
 /// A solve begins: its walls may remember.
-std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path, double agreement) const {
+double FreeSpace::thinnest() const {
+  const auto* cores = find_ability<HasThinnestCore>(*walls_);
+  return cores != nullptr ? cores->thinnest() : 0;
+}
+
+std::shared_ptr<FreeSpace> FreeSpace::for_solve(WallMargins margins, double agreement) const {
   std::shared_ptr<const Walls> walls = remembering(*walls_);
   if (walls == nullptr) walls = walls_;
-  auto unfitted = std::make_shared<FreeSpace>(domain_, std::move(walls));
-  unfitted->margins_ = WallMargins(longest_of(positions(*domain_, path), path));
-  unfitted->agreement_ = agreement;
-  return unfitted;
+  auto out = std::make_shared<FreeSpace>(domain_, std::move(walls));
+  out->margins_ = std::move(margins);
+  out->agreement_ = agreement;
+  return out;
+}
+
+std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path, double agreement) const {
+  return for_solve(WallMargins(longest_of(positions(*domain_, path), path), thinnest()), agreement);
+}
+
+KeptMargins FreeSpace::kept_margins(const CoordinatePath& path) const {
+  const auto* numbers = find_ability<NumbersWalls>(*walls_);
+  if (numbers == nullptr) return {};
+  KeptMargins kept{numbers->wall_count(), margins_.widths(), {}};
+  kept.resting.resize(static_cast<std::size_t>(path.free_count()));
+  for (Index i = 0; i < path.free_count(); ++i) {
+    Point point(*this, path, path.free_begin() + i);
+    look(point, 0);
+    for (const Wall& wall : point.walls)
+      if (std::abs(room(wall)) <= slack(point.x())) kept.resting[static_cast<std::size_t>(i)].push_back(wall.obstacle);
+  }
+  return kept;
+}
+
+void FreeSpace::carry_along(const KeptMargins& kept, CoordinatePath& path, const Deadline& deadline) const {
+  constexpr Index kPointsAtOnce = 4;  // between two looks at the clock
+  if (static_cast<Index>(kept.resting.size()) != path.free_count()) return;
+  const double farthest = longest_of(positions(*domain_, path), path);
+  std::vector<int> held;
+  for (Index i = 0; i < path.free_count(); ++i) {
+    const std::vector<int>& resting = kept.resting[static_cast<std::size_t>(i)];
+    if (i % kPointsAtOnce == 0) look_at_clock(deadline);
+    if (resting.empty()) continue;
+    Point point(*this, path, path.free_begin() + i);
+    look(point, farthest);
+    held.clear();
+    double gone = 0;
+    for (const Wall& wall : point.walls) {
+      const double steep = point.slope(wall).norm(), off = std::abs(room(wall));
+      if (!(off < farthest * steep) || std::find(resting.begin(), resting.end(), wall.obstacle) == resting.end())
+        continue;
+      held.push_back(wall.obstacle);
+      gone = std::max(gone, off / steep);
+    }
+    if (gone > slack(point.x()) && carry_onto(point, held, gone, farthest))
+      path.u.col(path.free_begin() + i) = point.u();
+  }
+}
+
+std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted_with(const KeptMargins& kept, const CoordinatePath& path,
+                                                                   double agreement) const {
+  const auto* numbers = find_ability<NumbersWalls>(*walls_);
+  if (numbers == nullptr || kept.walls == 0 || numbers->wall_count() != kept.walls) return nullptr;
+  return for_solve(WallMargins(longest_of(positions(*domain_, path), path), thinnest(), kept.widths), agreement);
 }
 
 /// A chain that was at rest, among walls that have moved since: its moves are nearer to a wall than its points are by
@@ -556,17 +636,19 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath
   const Points x = positions(*domain_, path);
   std::map<int, Wall> least;
   std::vector<Wall> found;
+  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
+  const double beside = margins_.widest() + kSurely * kOn * size;  // what holds a point is found, if only there
   for (Index i = 0; i < path.segment_count(); ++i) {
-    walls_->along(x.col(i), x.col((i + 1) % x.cols()), margins_.widest(), found);
+    walls_->along(x.col(i), x.col((i + 1) % x.cols()), beside, found);
     for (const Wall& wall : found) {
       const auto [entry, first] = least.try_emplace(wall.obstacle, wall);
       if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
     }
   }
-  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
   const double agree = std::max(agreement_ * extent_of(x), kOn * size);
   if (agreement_ > kCloseFit && !margins_.carry()) take_sags(x, agree, least);
-  std::optional<WallMargins> margins = margins_.fitted(least, longest_of(x, path), agree, kRounding * size);
+  std::optional<WallMargins> margins =
+      margins_.fitted(least, longest_of(x, path), {agree, kRounding * size, kSurely * kOn * size});
   if (!margins) return nullptr;
   auto fitted = std::make_shared<FreeSpace>(domain_, walls_);
   fitted->margins_ = std::move(*margins);

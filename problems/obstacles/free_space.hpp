@@ -16,6 +16,7 @@
 #include <leastcost/framework/domain/limits_moves.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/framework/domain/measures_chains.hpp>
+#include <leastcost/framework/domain/reuses_margins.hpp>
 #include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/drawing/draws_poses.hpp>
@@ -44,6 +45,7 @@ class FreeSpace final : public ConstraintManifold,
                         public DecidesMoves,
                         public MeasuresChains,
                         public FitsSegments,
+                        public ReusesMargins,
                         public LimitsMoves,
                         public HasWalls,
                         public DrawsItself,
@@ -87,6 +89,10 @@ class FreeSpace final : public ConstraintManifold,
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path,
                                                      double agreement = kCloseFit) const override;
   std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
+  KeptMargins kept_margins(const CoordinatePath& path) const override;
+  std::shared_ptr<const ConstraintManifold> unfitted_with(const KeptMargins& kept, const CoordinatePath& path,
+                                                          double agreement) const override;
+  void carry_along(const KeptMargins& kept, CoordinatePath& path, const Deadline& deadline) const override;
   std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const override;
 
   /// Where walls know their thinnest core: longer moves make points keep away from it by more than it is thick.
@@ -109,6 +115,8 @@ class FreeSpace final : public ConstraintManifold,
   /// By how much a wall is beyond its margin.
   double room(const Wall& wall) const { return wall.gap - margins_.of(wall); }
   double slack(const Eigen::VectorXd& x) const;
+  double thinnest() const;
+  std::shared_ptr<FreeSpace> for_solve(WallMargins margins, double agreement) const;
   void take_sags(const Points& x, double agree, std::map<int, Wall>& least) const;
   void look(Point& point, double reach) const;
   bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
@@ -116,6 +124,7 @@ class FreeSpace final : public ConstraintManifold,
   void push_out_of_all(Point& point, const std::vector<int>& held, double by) const;
   bool settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const;
   bool carry(Point& point) const;
+  bool carry_onto(Point& point, const std::vector<int>& held, double gone, double reach) const;
   double look_ahead(double length) const;
   bool clear_way(const Point& start, const std::vector<int>& held, Point& end) const;
   void keep_side(const Point& start, const std::vector<int>& held, Point& end) const;

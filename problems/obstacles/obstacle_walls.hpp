@@ -19,6 +19,7 @@ class ObstacleWalls final : public Walls,
                             public HasRounds,
                             public HasSupportPlanes,
                             public GapsAreDistances,
+                            public NumbersWalls,
                             public DrawsItself {
  public:
   using Obstacles = std::vector<std::shared_ptr<const Obstacle>>;
@@ -37,6 +38,7 @@ class ObstacleWalls final : public Walls,
   std::vector<Round> rounds(const Eigen::AlignedBox2d& box) const override;
   bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const override;
   std::string obstacle_name(int obstacle) const override;
+  int wall_count() const override { return static_cast<int>(obstacles_.size()); }
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:

@@ -14,7 +14,22 @@ constexpr int kLoosened = 6;          ///< fits after which margins only grow, s
 
 }  // namespace
 
-WallMargins::WallMargins(double longest_move) : from_cores_(kOverCores * longest_move / 2) {}
+WallMargins::WallMargins(double longest_move, double thinnest)
+    : from_cores_(kOverCores * longest_move / 2), thinnest_(thinnest) {}
+
+WallMargins::WallMargins(double longest_move, double thinnest, const std::map<int, double>& widths)
+    : WallMargins(longest_move, thinnest) {
+  for (const auto& [obstacle, width] : widths) margins_[obstacle].width = width;
+  widths_before_ = widths;
+  from_cores_before_ = from_cores_;
+  fits_ = 1;
+}
+
+std::map<int, double> WallMargins::widths() const {
+  std::map<int, double> widths;
+  for (const auto& [obstacle, margin] : margins_) widths[obstacle] = margin.width;
+  return widths;
+}
 
 double WallMargins::of(const Wall& wall) const {
   const auto found = margins_.find(wall.obstacle);
@@ -22,7 +37,7 @@ double WallMargins::of(const Wall& wall) const {
 }
 
 double WallMargins::widest() const {
-  double widest = from_cores_;
+  double widest = std::max(0.0, from_cores_ - thinnest_);
   for (const auto& [obstacle, margin] : margins_) widest = std::max(widest, margin.width);
   return widest;
 }
@@ -33,7 +48,7 @@ double WallMargins::before(const Wall& wall) const {
 }
 
 double WallMargins::widest_before() const {
-  double widest = from_cores_before_;
+  double widest = std::max(0.0, from_cores_before_ - thinnest_);
   for (const auto& [obstacle, width] : widths_before_) widest = std::max(widest, width);
   return widest;
 }
@@ -50,30 +65,26 @@ double WallMargins::fit(const Margin& known, double now, double gap, double to) 
   return now + std::min((to - gap) / slope, std::max(now, 2 * (to - gap)));
 }
 
-std::optional<WallMargins> WallMargins::fitted(const std::map<int, Wall>& least, double longest_move, double agree,
-                                               double rounding) const {
-  WallMargins fitted(longest_move);
+std::optional<WallMargins> WallMargins::fitted(const std::map<int, Wall>& least, double longest_move,
+                                               const Fit& closely) const {
+  WallMargins fitted(longest_move, thinnest_);
   fitted.fits_ = fits_ + 1;
   for (const auto& [obstacle, known] : margins_) fitted.widths_before_[obstacle] = known.width;
   fitted.from_cores_before_ = from_cores_;
   bool changed = std::abs(fitted.from_cores_ - from_cores_) > kSameLength * from_cores_;
   if (!changed) fitted.from_cores_ = from_cores_;
-  for (const auto& [obstacle, known] : margins_) {  // what is not beside the path any more needs none
-    if (least.count(obstacle) > 0) continue;
-    if (fits_ < kLoosened)
-      changed = true;
-    else
-      fitted.margins_[obstacle] = known;
-  }
+  for (const auto& [obstacle, known] : margins_)  // what is not beside the path any more needs none
+    if (least.count(obstacle) == 0 && fits_ >= kLoosened) fitted.margins_[obstacle] = known;
   for (const auto& [obstacle, wall] : least) {
     const auto known = margins_.find(obstacle);
     const Margin last = known == margins_.end() ? Margin{} : known->second;
     const double now = std::max(last.width, from_cores_ - wall.required);
     Margin next{last.width, now, wall.gap, fits_ > 0};  // before the first fit it was not solved
-    if (wall.gap < -rounding || (wall.gap > agree && last.width > 0 && fits_ < kLoosened))
-      next.width = std::max(0.0, fit(last, now, wall.gap, agree / 2));
+    if (wall.gap < -closely.rounding || (wall.gap > closely.agree && last.width > 0 && fits_ < kLoosened))
+      next.width = std::max(0.0, fit(last, now, wall.gap, closely.agree / 2));
     if (next.width > 0) fitted.margins_[obstacle] = next;
-    changed = changed || next.width != last.width;
+    const bool holds = wall.gap <= now + closely.on;
+    changed = changed || (next.width != last.width && (holds || next.width > now));
   }
   return changed ? std::optional<WallMargins>(std::move(fitted)) : std::nullopt;
 }

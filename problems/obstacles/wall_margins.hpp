@@ -15,22 +15,33 @@ namespace leastcost {
 class WallMargins {
  public:
   WallMargins() = default;
-  /// Fitted to nothing yet, for points whose longest move is that long.
-  explicit WallMargins(double longest_move);
+  /// Fitted to nothing yet, for points whose longest move is that long, among walls all of which require at least
+  /// `thinnest` of the distance from their cores.
+  explicit WallMargins(double longest_move, double thinnest = 0);
+  /// As a chain at rest had them, when walls were a little elsewhere.
+  WallMargins(double longest_move, double thinnest, const std::map<int, double>& widths);
 
-  double of(const Wall& wall) const;  ///< beyond the clearance, length units
-  double widest() const;              ///< of all margins
+  double of(const Wall& wall) const;                 ///< beyond the clearance, length units
+  double widest() const;                             ///< of all margins
+  double from_cores() const { return from_cores_; }  ///< what points keep from any core
   /// What points at rest kept before the last fit; they come with it.
   double before(const Wall& wall) const;
   double widest_before() const;  ///< of all margins of the chain before
   /// Whether points had come to rest before the last fit.
   bool carry() const { return fits_ > 0; }
 
+  /// How closely, length units.
+  struct Fit {
+    double agree = 0;     ///< by so much a move may keep away for nothing
+    double rounding = 0;  ///< what is less is none
+    double on = 0;        ///< a wall that moves keep away from by more than its margin and this holds no point
+  };
   /// Fitted anew to points whose longest move is that long. `least`: the walls that moves were found near to, by
-  /// obstacle, each with its least gap. By `agree` a move may keep away for nothing; what is less than `rounding` is
-  /// none. Nothing where that would change nothing.
-  std::optional<WallMargins> fitted(const std::map<int, Wall>& least, double longest_move, double agree,
-                                    double rounding) const;
+  /// obstacle, each with its least gap; all that hold a point are among them. Nothing where that would change nothing:
+  /// neither does the margin of a wall that holds none.
+  std::optional<WallMargins> fitted(const std::map<int, Wall>& least, double longest_move, const Fit& closely) const;
+
+  std::map<int, double> widths() const;  ///< of obstacles that have one
 
  private:
   /// And what the last fit knew, for a secant.
@@ -41,7 +52,7 @@ class WallMargins {
   static double fit(const Margin& known, double now, double gap, double to);
 
   std::map<int, Margin> margins_;  ///< of obstacles that have one
-  double from_cores_ = 0;          ///< what points keep from any core
+  double from_cores_ = 0, thinnest_ = 0;
   std::map<int, double> widths_before_;
   double from_cores_before_ = 0;
   int fits_ = 0;

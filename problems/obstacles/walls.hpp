@@ -114,6 +114,13 @@ class HasThinnestCore {
   virtual double thinnest() const = 0;
 };
 
+/// Ability of walls that are numbered from 0: the same number of them, some of which have moved, are the same walls.
+class NumbersWalls {
+ public:
+  virtual ~NumbersWalls() = default;
+  virtual int wall_count() const = 0;
+};
+
 /// Ability of walls for a solve, whose looks are mostly beside earlier ones: they may remember what they saw.
 class Remembers {
  public:

@@ -23,11 +23,34 @@ Matrix3d about_x(double cosine, double sine) {
   return turn;
 }
 
-/// R Rx: its y and z are turned about its x.
-void tilt_columns(Matrix3d& rotation, double cosine, double sine) {
-  const Vector3d y = rotation.col(1), z = rotation.col(2);
-  rotation.col(1) = cosine * y + sine * z;
-  rotation.col(2) = cosine * z - sine * y;
+/// A turn or tilt by its cosine and sine.
+struct Turn {
+  double cosine, sine;
+};
+
+/// One row of the next frame in the convention "modified": tilted about the last x, then turned about the new z. Row by
+/// row in numbers, for this is the innermost of what collision checks do.
+void tilt_and_turn(const Frame& last, const Turn& tilt, const Turn& turn, double a, double d, Frame& next) {
+  for (int i = 0; i < 3; ++i) {
+    const double x = last.rotation(i, 0), y0 = last.rotation(i, 1), z0 = last.rotation(i, 2);
+    const double y = tilt.cosine * y0 + tilt.sine * z0, z = tilt.cosine * z0 - tilt.sine * y0;
+    next.origin[i] = last.origin[i] + a * x + d * z;
+    next.rotation(i, 0) = turn.cosine * x + turn.sine * y;
+    next.rotation(i, 1) = turn.cosine * y - turn.sine * x;
+    next.rotation(i, 2) = z;
+  }
+}
+
+/// The same in the convention "standard": turned about the last z, then tilted about the new x.
+void turn_and_tilt(const Frame& last, const Turn& tilt, const Turn& turn, double a, double d, Frame& next) {
+  for (int i = 0; i < 3; ++i) {
+    const double x0 = last.rotation(i, 0), y0 = last.rotation(i, 1), z0 = last.rotation(i, 2);
+    const double x = turn.cosine * x0 + turn.sine * y0, y = turn.cosine * y0 - turn.sine * x0;
+    next.origin[i] = last.origin[i] + a * x + d * z0;
+    next.rotation(i, 0) = x;
+    next.rotation(i, 1) = tilt.cosine * y + tilt.sine * z0;
+    next.rotation(i, 2) = tilt.cosine * z0 - tilt.sine * y;
+  }
 }
 
 void check_table(const DhTable& table) {
@@ -68,23 +91,13 @@ void DhArm::place(const Vector& configuration, std::vector<Frame>& links) const 
   for (int j = 0; j < static_cast<int>(dimension()); ++j) {
     const Frame& last = links[static_cast<std::size_t>(j)];
     Frame& next = links[static_cast<std::size_t>(j) + 1];
-    const double angle = configuration[j] + table_.rows(j, kOffset), c = std::cos(angle), s = std::sin(angle);
-    const double a = table_.rows(j, kA), d = table_.rows(j, kD);
-    const Matrix3d& tilt = tilts_[static_cast<std::size_t>(j)];
-    if (table_.convention == DhConvention::standard) {  // turned, then tilted about the new x
-      next.rotation.col(0) = c * last.rotation.col(0) + s * last.rotation.col(1);
-      next.rotation.col(1) = c * last.rotation.col(1) - s * last.rotation.col(0);
-      next.rotation.col(2) = last.rotation.col(2);
-      next.origin = last.origin + a * next.rotation.col(0) + d * next.rotation.col(2);
-      tilt_columns(next.rotation, tilt(1, 1), tilt(2, 1));
-    } else {
-      next.rotation = last.rotation;
-      tilt_columns(next.rotation, tilt(1, 1), tilt(2, 1));
-      next.origin = last.origin + a * next.rotation.col(0) + d * next.rotation.col(2);
-      const Vector3d x = next.rotation.col(0), y = next.rotation.col(1);
-      next.rotation.col(0) = c * x + s * y;
-      next.rotation.col(1) = c * y - s * x;
-    }
+    const double angle = configuration[j] + table_.rows(j, kOffset), a = table_.rows(j, kA), d = table_.rows(j, kD);
+    const Matrix3d& tilted = tilts_[static_cast<std::size_t>(j)];
+    const Turn turn{std::cos(angle), std::sin(angle)}, tilt{tilted(1, 1), tilted(2, 1)};
+    if (table_.convention == DhConvention::standard)
+      turn_and_tilt(last, tilt, turn, a, d, next);
+    else
+      tilt_and_turn(last, tilt, turn, a, d, next);
   }
 }
 

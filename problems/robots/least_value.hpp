@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace leastcost {
 
@@ -19,13 +20,23 @@ template <class Function>
 ValueAt least_value(const Function& f, int places, double near = 2e-9) {
   constexpr int kMostSteps = 40;
   constexpr double kGolden = 0.38196601125010515;  // (3 - sqrt 5) / 2
-  double x = 0, fx = f(0.0);
+  double x = 0, fx = f(0.0), last = fx;
+  double w = x, v = x, fw = fx, fv = fx;  // its neighbours, if it has two
   for (int k = 1; k <= places; ++k) {
     const double t = static_cast<double>(k) / places, ft = f(t);
-    if (ft < fx) x = t, fx = ft;
+    if (ft < fx) {
+      w = static_cast<double>(k - 1) / places, fw = last;
+      v = x = t, fv = fx = ft;
+    } else if (t - x < 1.5 / places) {
+      v = t, fv = ft;
+    }
+    last = ft;
   }
+  const bool inside = w < x && x < v;
+  if (!inside) w = v = x, fw = fv = fx;
+  if (fv < fw) std::swap(w, v), std::swap(fw, fv);
   double from = std::max(0.0, x - 1.0 / places), to = std::min(1.0, x + 1.0 / places);
-  double w = x, v = x, fw = fx, fv = fx, step = 0, before = 0;
+  double step = inside ? 1.0 / places : 0, before = step;
   for (int k = 0; k < kMostSteps; ++k) {
     const double middle = (from + to) / 2;
     if (std::abs(x - middle) <= 2 * near - (to - from) / 2) break;

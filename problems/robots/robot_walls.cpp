@@ -60,6 +60,7 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
   for (const Plate& plate : robot_->plates) add_body(plate.link, plate.radius, plate.corners);
   add_obstacles(std::move(obstacles), clearance);
   add_self_pairs();
+  thinnest_ = find_thinnest();
   if (robot_->plates.empty()) sieve_ = std::make_shared<const MoveSieve>(robot_, obstacles_, required_);
 }
 
@@ -258,12 +259,11 @@ std::string RobotWalls::obstacle_name(int obstacle) const {
          std::to_string(other) + ")";
 }
 
-/// What is required of pairs, by how far the part moves at most as the configuration moves by 1.
-double RobotWalls::thinnest() const {
+double RobotWalls::find_thinnest() const {
   double thinnest = kUnbounded;
+  const double least = required_.empty() ? kUnbounded : *std::min_element(required_.begin(), required_.end());
   for (const Body& body : bodies_)
-    for (const double required : required_)
-      if (body.steepest > 0) thinnest = std::min(thinnest, (required + body.radius) / body.steepest);
+    if (body.steepest > 0) thinnest = std::min(thinnest, (least + body.radius) / body.steepest);
   for (const Pair& pair : self_)
     if (pair.steepest > 0) thinnest = std::min(thinnest, pair.required / pair.steepest);
   return thinnest;

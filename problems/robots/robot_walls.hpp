@@ -32,6 +32,7 @@ class RobotWalls final : public PairWalls,
                          public DecidesMoves,
                          public MeasuresChains,
                          public HasThinnestCore,
+                         public NumbersWalls,
                          public DrawsItself,
                          public DrawsPoses,
                          public std::enable_shared_from_this<RobotWalls> {
@@ -52,7 +53,8 @@ class RobotWalls final : public PairWalls,
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
-  double thinnest() const override;
+  double thinnest() const override { return thinnest_; }
+  int wall_count() const override { return static_cast<int>(bodies_.size() * obstacles_.size() + self_.size()); }
   void draw(const DrawnPaths& paths, Drawing& out) const override;
   PoseStrip pose_strip(const Points& configurations) const override;
   /// Null for walls that no shared pointer owns.
@@ -89,6 +91,7 @@ class RobotWalls final : public PairWalls,
   MoveClearance least_gap(OnMove& move, double widest, double rounding) const;
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
+  double find_thinnest() const;
   void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   bool clears_closely(const Vector& a, const Vector& b) const;
   void add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
@@ -115,6 +118,8 @@ class RobotWalls final : public PairWalls,
   std::vector<Pair> self_;
   std::vector<Vector> self_reach_;  ///< of their parts, as seen from the others
   double size_ = 0, farthest_ = 0, most_required_ = 0;
+  double thinnest_ =
+      0;  ///< what is required of pairs, by how far the part moves at most as the configuration moves by 1
   std::shared_ptr<const BroadPhase> tree_;  ///< of the cores, where there are many
   std::shared_ptr<const MoveSieve> sieve_;  ///< null where there are plates
 };

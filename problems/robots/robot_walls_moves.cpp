@@ -3,6 +3,7 @@
 #include "problems/robots/robot_walls_moves.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 #include <utility>
@@ -21,6 +22,27 @@ constexpr double kShareOfCoreRoom = 0.5;
 constexpr int kFewestPlaces = 4, kMostPlaces = 64;    ///< of a move that are looked at before its least gap is followed
 constexpr double kFollowed = 1e-12, kNearest = 1e-3;  // sizes: how closely that is; at least, of the move
 constexpr double kPlacesApart = 0.5;                  ///< of what is required: how far a part goes between them
+
+/// Places of one move, for pairs that are looked at there one after another: links are placed once for all of them.
+class PlacesOfMove {
+ public:
+  void begin() { count_ = next_ = 0; }
+  template <class Place>
+  RobotPose& at(const Robot& robot, double t, const Place& place) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (times_[i] == t) return poses_[i];
+    const std::size_t i = count_ < kKept ? count_++ : kFirst + next_++ % (kKept - kFirst);
+    times_[i] = t;
+    poses_[i].place_links(robot, place(t));
+    return poses_[i];
+  }
+
+ private:
+  static constexpr std::size_t kKept = 8, kFirst = 6;  ///< the first are those that all pairs are looked at
+  std::array<double, kKept> times_ = {};
+  std::array<RobotPose, kKept> poses_;
+  std::size_t count_ = 0, next_ = 0;
+};
 
 }  // namespace
 
@@ -109,7 +131,9 @@ class RobotWalls::ChainLook {
 
   std::optional<ChainClearance> run() {
     if (!gone_.allFinite() || !x_.allFinite()) return std::nullopt;
-    add(0, x_.cols() - 1);
+    constexpr Eigen::Index kAtFirst = 13;  // pieces: longer ones are split anyway
+    const Eigen::Index moves = x_.cols() - 1, each = (moves + kAtFirst - 1) / kAtFirst;
+    for (Eigen::Index first = 0; first < moves; first += each) add(first, std::min(first + each, moves));
     while (!open_.empty() && !enough(std::min(settled_, open_.front().lower))) {
       std::pop_heap(open_.begin(), open_.end());
       const Piece piece = open_.back();
@@ -266,16 +290,23 @@ void RobotWalls::along_among(const std::vector<Pair>& pairs, const Vector& a, co
 
 void RobotWalls::add_along(OnMove& move, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const {
   constexpr double kMiddle = 0.5;
+  thread_local PlacesOfMove places_of_move;
+  places_of_move.begin();
   for (const Pair& pair : pairs) {
+    const auto distance_at = [&](double t) {
+      RobotPose& pose = places_of_move.at(*robot_, t, [&](double s) { return move.place(s); });
+      pose.place_part(*robot_, static_cast<std::size_t>(pair.part));
+      if (pair.self) pose.place_part(*robot_, static_cast<std::size_t>(pair.other));
+      return between(pose, pair).distance;
+    };
     const MotionBound bound = move.bound(pair);
     const MovingDistance known{bound.speed, bound.acceleration};
     const double speed = bound.speed, wanted = pair.required + reach * pair.steepest;
-    const double middle = move.distance(kMiddle, pair);
+    const double middle = distance_at(kMiddle);
     if (middle - speed / 2 >= wanted) continue;
-    if (least_distance_on_piece(known, kMiddle, move.distance(0, pair), middle) >= wanted &&
-        least_distance_on_piece(known, kMiddle, middle, move.distance(1, pair)) >= wanted)
+    if (least_distance_on_piece(known, kMiddle, distance_at(0), middle) >= wanted &&
+        least_distance_on_piece(known, kMiddle, middle, distance_at(1)) >= wanted)
       continue;
-    const auto distance_at = [&](double t) { return move.distance(t, pair); };
     const int places = static_cast<int>(
         std::clamp(std::ceil(speed / (kPlacesApart * pair.required)), double{kFewestPlaces}, double{kMostPlaces}));
     const double near = std::sqrt(2 * kFollowed * size_ / bound.acceleration);  // of t, for so much of the distance

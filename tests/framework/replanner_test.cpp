@@ -6,6 +6,8 @@
 #include <thread>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/replan/open_rest.hpp>
+#include <leastcost/framework/search/find_path.hpp>
 #include <leastcost/problems/initializers/rrt.hpp>
 #include <leastcost/problems/initializers/straight.hpp>
 #include <leastcost/problems/initializers/waypoints.hpp>
@@ -102,6 +104,48 @@ TEST_CASE("replanner: a solved path is kept without a solve until what holds it 
   CHECK(pushed.outcome == ReplanOutcome::new_path);
   CHECK(pushed.result.curve.cost > kept.result.curve.cost + 1e-4);
   CHECK(pushed.clearance.value().lower >= -kNothing);
+}
+
+TEST_CASE("replanner: what the last solve kept from obstacles is where the next one begins") {
+  Replanner planner({std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}), std::make_shared<RrtInitializer>(),
+                     FindOptions{.points = 60, .certificate = {.enabled = false}}});
+  Problem problem = test::across(test::world_of({{5, 5.2, 1}, {5, 8, 0.5}}, kKept));
+  planner.replan(problem);
+  planner.replan(problem);
+  for (int step = 1; step <= 8; ++step) {
+    const test::Discs discs{{5 + 0.01 * step, 5.2 - 0.01 * step, 1}, {5, 8, 0.5}};
+    problem.manifold = test::world_of(discs, kKept);
+    const Replan warm = planner.replan(problem);
+    CAPTURE(step, warm.why_not_old, warm.why_not_new);
+    REQUIRE(warm.outcome == ReplanOutcome::new_path);
+    CHECK_FALSE(warm.from_initializer);
+    CHECK(warm.result.solve.iterations <= 5);
+    CHECK(test::clearance_of(warm.result.curve.x, discs) >= kKept - kNothing);
+    const Result closely = improve_path(problem, warm.result.path, Newton(), {.certificate = {.enabled = false}});
+    CHECK(warm.result.curve.cost <= closely.curve.cost * (1 + 1e-4));
+  }
+  // Another number of obstacles: nothing is known of their margins.
+  const test::Discs fewer{{5.1, 5.1, 1}};
+  problem.manifold = test::world_of(fewer, kKept);
+  const Replan other = planner.replan(problem);
+  REQUIRE(other.outcome != ReplanOutcome::no_valid_path);
+  CHECK(test::clearance_of(other.result.curve.x, fewer) >= kKept - kNothing);
+}
+
+TEST_CASE("replanner: a straight path rests without obstacles, and is known to as long as cost and box stay") {
+  const test::Discs none{{5, 20, 1}};
+  Problem problem = test::across(test::world_of(none, kKept));
+  CoordinatePath path{Points(2, 12), {}, false};
+  for (int row = 0; row < 2; ++row) path.u.row(row).setLinSpaced(12, problem.source.u[row], problem.target.u[row]);
+  const double cost = (problem.target.u - problem.source.u).norm();
+  OpenRest rest;
+  CHECK(rest.holds(problem, path, cost, {}));
+  problem.manifold = test::world_of({{5, 19, 1}}, kKept);
+  CHECK(rest.holds(problem, path, cost, {}));
+  CoordinatePath bent = path;
+  bent.u(1, 5) += 0.1;
+  CHECK_FALSE(rest.holds(problem, bent, cost, {}));
+  CHECK(rest.holds(problem, path, cost, {}));
 }
 
 TEST_CASE("replanner: a change far from the path costs nothing, one that opens a shorter way nearby is used") {

@@ -9,9 +9,11 @@
 #include <vector>
 
 #include <leastcost/framework/domain/fits_segments.hpp>
+#include <leastcost/framework/domain/reuses_margins.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/box_obstacle.hpp>
+#include <leastcost/problems/obstacles/wall_margins.hpp>
 #include "framework/energy/solve_fitted.hpp"
 #include "framework/energy/spacing.hpp"
 #include "tests/support/catch.hpp"
@@ -179,6 +181,51 @@ TEST_CASE("free space: points that are pushed out of walls are spaced again") {
   CHECK(report.iterations <= 20);
   const Eigen::VectorXd costs = PathEnergy(solved.problem, 1).costs(path);
   CHECK(costs.maxCoeff() <= 1.01 * costs.minCoeff());
+}
+
+TEST_CASE("free space: margins of walls that hold no point change nothing") {
+  const WallMargins margins(0.1, 0, {{0, 0.02}, {1, 0.02}});
+  const WallMargins::Fit closely{1e-3, 1e-14, 1e-10};
+  const auto wall = [](int number, double gap) { return std::pair(number, Wall{.obstacle = number, .gap = gap}); };
+  CHECK_FALSE(margins.fitted({}, 0.1, closely).has_value());
+  CHECK_FALSE(margins.fitted({wall(0, 0.021), wall(1, 5e-4)}, 0.1, closely).has_value());
+  CHECK(margins.fitted({wall(0, 0.019)}, 0.1, closely).has_value());  // kept away from for nothing
+  CHECK(margins.fitted({wall(0, -0.001)}, 0.1, closely).value().widths().at(0) > 0.02);
+  CHECK(margins.fitted({wall(2, -0.001)}, 0.1, closely).value().widths().at(2) > 0);
+}
+
+TEST_CASE("free space: a chain comes along with the walls that it rested on") {
+  const auto among = [](double shift) { return across(plane({disc(0, -0.05 + shift, 1)})); };
+  Problem problem = among(0);
+  CoordinatePath path{Points::Zero(2, 42), {}, false};
+  path.u.row(0).setLinSpaced(-2, 2);
+  const FittedSolve solved = solve_fitted(problem, Newton(), 4.0 / 41, path, {});
+  const auto& fitted = *find_ability<ReusesMargins>(*solved.problem.manifold);
+  const KeptMargins kept = fitted.kept_margins(path);
+  REQUIRE(kept.walls == 1);
+  REQUIRE(kept.widths.size() == 1);
+  const auto resting =
+      std::count_if(kept.resting.begin(), kept.resting.end(), [](const auto& w) { return !w.empty(); });
+  CHECK(resting > 5);
+  for (const double shift : {0.01, -0.01}) {  // onto the path, and away from it
+    CAPTURE(shift);
+    Problem moved = among(shift);
+    const auto domain = find_ability<ReusesMargins>(*moved.manifold)->unfitted_with(kept, path, 1e-4);
+    REQUIRE(domain != nullptr);
+    CoordinatePath carried = path;
+    find_ability<ReusesMargins>(*domain)->carry_along(kept, carried, {});
+    const auto now = find_ability<ReusesMargins>(*domain)->kept_margins(carried).resting;
+    CHECK(now == kept.resting);
+    CoordinatePath warm = path, cold = path;
+    const SolveReport quick = solve_fitted(moved, Newton(), 4.0 / 41, warm, {}, {1e-4, &kept}).report;
+    const SolveReport slow = solve_fitted(moved, Newton(), 4.0 / 41, cold, {}).report;
+    CHECK(is_solved(quick.termination));
+    CHECK(is_solved(slow.termination));
+    const auto cost = [&](const CoordinatePath& p) { return PathEnergy(moved, 1).costs(p).sum(); };
+    CHECK(std::abs(cost(warm) - cost(cold)) < 1e-4 * cost(cold));
+  }
+  const Problem of_two = across(plane({disc(0, 0, 1), disc(9, 9, 1)}));
+  CHECK(find_ability<ReusesMargins>(*of_two.manifold)->unfitted_with(kept, path, 1e-4) == nullptr);
 }
 
 TEST_CASE("free space: a finer chain is placed for its own moves, not for those of the chain that was solved") {
