@@ -519,6 +519,8 @@ std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) cons
 
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
+std::string FreeSpace::depth_text(int obstacle, double missing) const { return walls_->depth_text(obstacle, missing); }
+
 /// A solve begins: its walls may remember.
 std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePath& path, double agreement) const {
   std::shared_ptr<const Walls> walls = remembering(*walls_);

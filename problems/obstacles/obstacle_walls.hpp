@@ -37,6 +37,7 @@ class ObstacleWalls final : public Walls,
   std::vector<Round> rounds(const Eigen::AlignedBox2d& box) const override;
   bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const override;
   std::string obstacle_name(int obstacle) const override;
+  std::string depth_text(int obstacle, double missing) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:
