@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 """Problems of MotionBenchMaker for a Panda, solved by the program and judged independently.
 
-    mbm.py DATA PROGRAM [--choose develop|held] [--count 5] [--scenario NAME] [--set 'key: value'] [--out FOLDER]
+    mbm.py DATA PROGRAM [--choose develop|held] [--count 5] [--skip 0] [--scenario NAME] [--set 'key: value']
+           [--out FOLDER]
 
 DATA holds panda_even.json.gz, panda_spherized.urdf and panda.srdf, as shipped by KavrakiLab/vamp. Each problem becomes
 a configuration without options, as an engineer would write it: the URDF with its spheres, the SRDF with its pairs,
@@ -206,6 +207,7 @@ def main():
     parser.add_argument("program")
     parser.add_argument("--choose", choices=["develop", "held"], default="develop")
     parser.add_argument("--count", type=int, default=5)
+    parser.add_argument("--skip", type=int, default=0, help="so many of the first of each scenario are left out")
     parser.add_argument("--scenario", action="append")
     parser.add_argument("--index", type=int, action="append")
     parser.add_argument("--set", action="append", default=[])
@@ -220,7 +222,7 @@ def main():
     print(f"{'problem':22} {'status':11} {'clean':5} {'proved':6} {'cost':>8} {'path':>8} {'points':>6} {'CPU':>6} "
           f"{'first':>6} {'solve':>6} {'cert':>6}  why", flush=True)
     for scenario in given.scenario or problems:
-        chosen = [p for p in problems[scenario] if p["index"] % 6 == rest][:given.count]
+        chosen = [p for p in problems[scenario] if p["index"] % 6 == rest][given.skip:given.skip + given.count]
         for problem in [p for p in problems[scenario] if p["index"] in given.index] if given.index else chosen:
             configuration, obstacles = write_configuration(robot, given.data, scenario, problem, given.set, folder)
             output = configuration[:-5]

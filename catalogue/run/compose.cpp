@@ -331,10 +331,7 @@ void Composer::place_obstacles() {
   if (!fits || !made || !attempt([&] { put_among(std::move(obstacles)); })) return;
   for (const auto& [end, key] :
        {std::pair{&out_.problem.source, "ends.source"}, std::pair{&out_.problem.target, "ends.target"}})
-    if (end->u.size() > 0)
-      attempt([&, end = end, key = key] {
-        refuse_end_in_clearance(out_.problem, *end, key, config_.clearance, out_.robot != nullptr);
-      });
+    if (end->u.size() > 0) attempt([&, end = end, key = key] { refuse_end_in_clearance(out_.problem, *end, key); });
 }
 
 void Composer::put_among(ListedObstacles obstacles) {

@@ -284,24 +284,9 @@ void refuse_one_place(const Problem& problem, const std::string& key) {
                     "true) with waypoints around the domain");
 }
 
-/// A sentence, as far as "end_in_clearance:" does not say it; empty where the end is free.
-std::string why_not_free(const Problem& problem, const PathEnd& end, double clearance, bool of_robot) {
-  std::string why = why_in_clearance(problem, end);
-  if (why.empty()) return why;
-  why = "it " + why;
-  const Eigen::VectorXd x = positions(*problem.manifold, {end.u, {}, true});
-  const auto& obstacles = *find_ability<ChecksMoves>(*problem.manifold);
-  const MoveClearance here = obstacles.clearance(x, x);
-  const double depth = -here.upper - clearance;  // of a distance less what is required
-  if (!std::isfinite(depth) || !(depth > kRounding * (1 + x.norm()))) return why;
-  const std::string name = obstacles.obstacle_name(here.obstacle), deep = short_number(depth);
-  return of_robot ? name + " overlap by " + deep : "it lies " + deep + " deep inside " + name;
-}
-
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key, double clearance,
-                             bool of_robot) {
-  const std::string why = why_not_free(problem, end, clearance, of_robot);
-  if (!why.empty()) throw OptionError(key, "end_in_clearance: " + why);
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key) {
+  const std::string why = why_in_clearance(problem, end);
+  if (!why.empty()) throw OptionError(key, "end_in_clearance: it " + why);
 }
 
 Eigen::VectorXd source_position(const Problem& problem) {

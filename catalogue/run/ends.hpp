@@ -42,8 +42,7 @@ void refuse_one_place(const Problem& problem, const std::string& key);
 bool are_one_place(const Problem& problem);
 
 /// Throws OptionError with this key for an end that an obstacle does not let be there.
-void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key, double clearance,
-                             bool of_robot);
+void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key);
 
 /// Where the source is in space.
 Eigen::VectorXd source_position(const Problem& problem);

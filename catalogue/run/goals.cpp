@@ -102,7 +102,7 @@ std::vector<PlacedEnd> free_points(const Eigen::MatrixXd& points, const Constrai
     if (first_why.empty()) first_why = why;
   }
   if (ends.empty())
-    throw OptionError("ends.target.points", "end_in_clearance: none of them is free; the first one " + first_why);
+    throw OptionError("ends.target.points", "end_in_clearance: none of them is free: the first one " + first_why);
   return ends;
 }
 

@@ -53,8 +53,8 @@ RunParts PairComposer::compose(EndOptions source, EndOptions target, const RunPa
   note_far_end("the source", out.source, out);
   place_target(target, "target", out);
   problem.manifold = all.problem.manifold;
-  refuse_end_in_clearance(problem, problem.source, "source", config_.clearance, parts_.robot != nullptr);
-  refuse_end_in_clearance(problem, problem.target, "target", config_.clearance, parts_.robot != nullptr);
+  refuse_end_in_clearance(problem, problem.source, "source");
+  refuse_end_in_clearance(problem, problem.target, "target");
   const bool one_place = are_one_place(problem);
   if (one_place && config_.ends_from == EndsFrom::configuration) return out;
   if (problem.cost == parts_.problem.cost) problem.cost = cost_between(problem);  // else it was replaced in memory

@@ -29,6 +29,9 @@ class ChecksMoves {
   virtual std::optional<bool> same_class(const Eigen::MatrixXd&, const Eigen::MatrixXd&) const { return std::nullopt; }
   /// What to call an obstacle in a message.
   virtual std::string obstacle_name(int obstacle) const = 0;
+  /// Of a place that is nearer to an obstacle than it may be, by `missing` length units: how deep it lies inside of it,
+  /// as "lies 0.2 deep inside the ball". Empty for one within the clearance alone, and where that is not known.
+  virtual std::string depth_text(int /*obstacle*/, double /*missing*/) const { return ""; }
 };
 
 }  // namespace leastcost

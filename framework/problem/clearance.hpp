@@ -31,8 +31,8 @@ std::optional<Clearance> measure_clearance(const ConstraintManifold& manifold, c
 /// Whether a straight move is known to touch nothing, but for the rounding of an end that is in contact.
 bool goes_clear(const ChecksMoves& obstacles, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-/// "lies 0.1 too near to the ball at (0, 0)" of an end within an obstacle or its clearance, beyond rounding; else
-/// nothing.
+/// "is 0.1 too close to the ball at (0, 0)" of an end within the clearance of an obstacle, "lies 0.2 deep inside the
+/// ball at (0, 0)" of one within an obstacle, beyond rounding; else nothing.
 std::string why_in_clearance(const Problem& problem, const PathEnd& end);
 
 /// How far a curve may seem to go into an obstacle that it touches: `allowed` of its size, and the last digits of its

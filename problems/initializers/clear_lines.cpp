@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <leastcost/framework/problem/clearance.hpp>
@@ -13,6 +14,8 @@ namespace {
 
 using Place = Eigen::VectorXd;
 
+constexpr double kAny = std::numeric_limits<double>::infinity();
+constexpr int kMostIfQuick = 8;        ///< rounds of shortcuts
 constexpr int kPiecesOfStep = 2;       ///< before they are bisected
 constexpr double kLongestPiece = 1.5;  ///< a projected piece may be so much longer than the piece
 
@@ -92,15 +95,14 @@ Places ClearLines::in_pieces(const Places& nodes) const {
   return path;
 }
 
-/// Between any two places of it, and more often between two that are near to each other, where a long path bends: until
-/// a round of tries has gained little, or what is left is hopelessly long. A solver takes much longer for what
-/// shortcuts leave to it than they take to find it.
-Places ClearLines::straightened(Places path, int tries, double longest, std::mt19937_64& engine,
+/// Between any two places of it, and more often between two that are near to each other, where a long path bends: in
+/// rounds, until one has gained little. A solver takes much longer for what shortcuts leave to it than they take to
+/// find it.
+Places ClearLines::straightened(Places path, const Rounds& rounds, double longest, std::mt19937_64& engine,
                                 const Monitor& monitor) {
-  constexpr int kRounds = 8, kOneAnywhere = 4;      // of so many tries
+  constexpr int kOneAnywhere = 4;                   // of so many tries
   constexpr double kBeside = 0.25;                  // of the length: half of what the others may span
   constexpr double kWorth = 1e-3, kOfRound = 5e-3;  // of the length: a shortcut that is tried, a round that goes on
-  constexpr double kHopeless = 1.5;                 // of the longest that is of use
   std::vector<double> ends;                         // of the segments, from the first node on
   const auto measure = [&] {
     ends.clear();
@@ -115,10 +117,12 @@ Places ClearLines::straightened(Places path, int tries, double longest, std::mt1
   };
   measure();
   double before = ends.back();
-  const int round = std::max(1, tries / kRounds);
-  for (int k = 0; k < tries && path.size() > 2 && !monitor.interrupted(); ++k) {
-    if (k > 0 && k % round == 0) {
-      if (before - ends.back() < kOfRound * before || ends.back() > kHopeless * longest) break;
+  const auto goes_on = [&](int round) {
+    return before - ends.back() >= kOfRound * before && (round < rounds.fewest || ends.back() <= longest);
+  };
+  for (int k = 0; k < rounds.most * rounds.tries && path.size() > 2 && !monitor.interrupted(); ++k) {
+    if (k > 0 && k % rounds.tries == 0) {
+      if (!goes_on(k / rounds.tries)) break;
       before = ends.back();
     }
     const auto [from, to] = pick(k);
@@ -138,11 +142,17 @@ Places ClearLines::straightened(Places path, int tries, double longest, std::mt1
   return path;
 }
 
-Places ClearLines::shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
-                             const Monitor& monitor) {
+Places ClearLines::roughly_shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
+                                     const Monitor& monitor) {
+  constexpr int kShorter = 4, kMost = 8, kFewest = 2;  // rounds: times, at most, before a path may be given up
+  if (!quick()) return shortened(nodes, tries, engine, monitor);
+  const Rounds rounds{std::max(1, tries / kShorter), kMost, kFewest};
+  return in_pieces(straightened(nodes, tries > 0 ? rounds : Rounds{}, longest, engine, monitor));
+}
+
+Places ClearLines::shortened(const Places& nodes, int tries, std::mt19937_64& engine, const Monitor& monitor) {
   constexpr double kShorter = 1 - 1e-9;
-  constexpr int kTimesIfQuick = 8;
-  if (quick()) return in_pieces(straightened(nodes, kTimesIfQuick * tries, longest, engine, monitor));
+  if (quick()) return in_pieces(straightened(nodes, {tries, kMostIfQuick, kMostIfQuick}, kAny, engine, monitor));
   Places path = {nodes.front()};
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     look_at_clock(monitor.deadline);

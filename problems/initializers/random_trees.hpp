@@ -51,9 +51,11 @@ class RandomTrees {
   std::optional<std::vector<Eigen::VectorXd>> joined(int most_nodes, const Monitor& monitor);
 
   /// The whole path on the domain, without what lies between two of its points whose straight line projects to
-  /// something shorter. Longer than `longest` it would be of no use.
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor,
-                                         double longest = std::numeric_limits<double>::infinity());
+  /// something shorter; as ClearLines::shortened() and roughly_shortened().
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor);
+  std::vector<Eigen::VectorXd> roughly_shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor,
+                                                 double longest = std::numeric_limits<double>::infinity());
+  bool quick() const { return lines_.quick(); }  ///< whether there is anything to gain by the second of these
 
   int size() const { return trees_[0].size() + trees_[1].size(); }
   long samples() const { return samples_; }

@@ -51,31 +51,67 @@ Monitor for_further_paths(const Monitor& monitor) {
 }
 
 /// Looks for further paths, with trees of other seeds that may become a few times as large as those of the first: the
-/// shortest of all that there is time for. Among `more` of them where the best is far from straight.
-std::vector<Eigen::VectorXd> shortest_of(int paths, int more, std::vector<Eigen::VectorXd> best, int nodes_of_first,
-                                         const Problem& problem, const RrtOptions& options, const Monitor& monitor) {
-  constexpr int kTimesFirst = 4, kTimesFirstOfRobot = 1, kFewest = 200;  // moves of a robot take long to check
-  constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;                // far from the seeds that people take
-  const int times = problem.source.u.size() > 3 ? kTimesFirstOfRobot : kTimesFirst;
-  const int most = std::min(options.max_nodes, std::max(kFewest, times * nodes_of_first));
-  constexpr double kFarFromStraight = 1.25;
-  const double straight = (problem.target.u - problem.source.u).norm();
-  const Monitor within = for_further_paths(monitor);
-  auto seed = static_cast<std::uint64_t>(*options.seed);
-  try {
-    for (int k = 1; k < more && !within.interrupted(); ++k) {
-      if (k >= paths && !(polyline_length(best) > kFarFromStraight * straight)) break;
-      RandomTrees trees(problem, options, seed += kNextSeed);
-      trees.look_for(polyline_length(best));
-      const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most, within);
-      if (!nodes) continue;
-      std::vector<Eigen::VectorXd> path = trees.shortened(*nodes, within, polyline_length(best));
-      if (polyline_length(path) < polyline_length(best)) best = std::move(path);
+/// shortest of all that there is time for. Of a robot's there are `more` if the best is far from straight, and no more
+/// if it is nearly straight. They are compared when a few shortcuts have been tried, and only the best gets them all.
+class ShortestOf {
+ public:
+  ShortestOf(const Problem& problem, const RrtOptions& options, RandomTrees& first, const Monitor& monitor)
+      : problem_(problem), options_(options), first_(first), monitor_(monitor), unfinished_(first.quick()) {}
+
+  std::vector<Eigen::VectorXd> run(const std::vector<Eigen::VectorXd>& nodes_of_first, int paths, int more) {
+    best_ = first_.roughly_shortened(nodes_of_first, monitor_);
+    const Monitor within = for_further_paths(monitor_);
+    auto seed = static_cast<std::uint64_t>(*options_.seed);
+    try {
+      for (int k = 1; k < more && !within.interrupted(); ++k) {
+        if (k == paths) finish();
+        if (more > paths && (k < paths ? is_nearly_straight() : !is_far_from_straight())) break;
+        look_once_more(seed += kNextSeed, within);
+      }
+      finish();
+    } catch (const Interrupted&) {  // there is a path
     }
-  } catch (const Interrupted&) {  // there is a path
+    return std::move(best_);
   }
-  return best;
-}
+
+ private:
+  static constexpr std::uint64_t kNextSeed = 0x9E3779B97F4A7C15;  ///< far from the seeds that people take
+
+  double straight() const { return (problem_.target.u - problem_.source.u).norm(); }
+  bool is_far_from_straight() const { return polyline_length(best_) > 1.25 * straight(); }
+  bool is_nearly_straight() const { return polyline_length(best_) < 1.02 * straight(); }
+
+  /// Moves of a robot take long to check.
+  int most_nodes() const {
+    constexpr int kTimesFirst = 4, kTimesFirstOfRobot = 1, kFewest = 200;
+    const int times = problem_.source.u.size() > 3 ? kTimesFirstOfRobot : kTimesFirst;
+    return std::min(options_.max_nodes, std::max(kFewest, times * first_.size()));
+  }
+
+  void look_once_more(std::uint64_t seed, const Monitor& within) {
+    const double length = polyline_length(best_);
+    RandomTrees trees(problem_, options_, seed);
+    trees.look_for(length);
+    const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most_nodes(), within);
+    if (!nodes) return;
+    std::vector<Eigen::VectorXd> path = trees.roughly_shortened(*nodes, within, length);
+    if (!(polyline_length(path) < length)) return;
+    best_ = std::move(path);
+    unfinished_ = first_.quick();
+  }
+
+  void finish() {
+    if (unfinished_) best_ = first_.shortened(best_, monitor_);
+    unfinished_ = false;
+  }
+
+  const Problem& problem_;
+  const RrtOptions& options_;
+  RandomTrees& first_;
+  const Monitor& monitor_;
+  std::vector<Eigen::VectorXd> best_;
+  bool unfinished_;  ///< what there are not all shortcuts of yet
+};
 
 }  // namespace
 
@@ -104,8 +140,8 @@ FirstPath RrtInitializer::first_path(const Problem& problem, const Monitor& moni
                         " samples");
   const int paths = options_.paths.value_or(paths_by_default(problem));
   const bool of_robot = !options_.paths && paths > 1 && problem.source.u.size() > 3;
-  first.path = as_open_path(shortest_of(paths, of_robot ? kTimesIfFar * paths : paths, trees.shortened(*nodes, monitor),
-                                        trees.size(), problem, options_, monitor));
+  first.path = as_open_path(
+      ShortestOf(problem, options_, trees, monitor).run(*nodes, paths, of_robot ? kTimesIfFar * paths : paths));
   pin_ends(problem, first.path);
   return first;
 }

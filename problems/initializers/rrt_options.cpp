@@ -25,7 +25,7 @@ void RrtOptions::fields(FieldVisitor& visit) {
   visit.field("max_nodes", max_nodes,
               {.help = "Number of nodes in both trees at which the search gives up.", .minimum = 1});
   visit.field("shortcuts", shortcuts,
-              {.help = "Number of random shortcuts tried on the path found; for a robot, up to eight times as many.",
+              {.help = "Number of random shortcuts tried on the path found; for a robot, up to ten times as many.",
                .minimum = 0});
   visit.field(
       "paths", paths,

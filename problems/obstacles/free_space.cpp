@@ -544,6 +544,8 @@ std::optional<bool> FreeSpace::same_class(const Points& a, const Points& b) cons
 
 std::string FreeSpace::obstacle_name(int obstacle) const { return walls_->obstacle_name(obstacle); }
 
+std::string FreeSpace::depth_text(int obstacle, double missing) const { return walls_->depth_text(obstacle, missing); }
+
 /// A solve begins: its walls may remember.
 double FreeSpace::thinnest() const {
   const auto* cores = find_ability<HasThinnestCore>(*walls_);

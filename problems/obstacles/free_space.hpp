@@ -80,6 +80,7 @@ class FreeSpace final : public ConstraintManifold,
   /// Known in the plane, where the walls are made of discs.
   std::optional<bool> same_class(const Points& a, const Points& b) const override;
   std::string obstacle_name(int obstacle) const override;
+  std::string depth_text(int obstacle, double missing) const override;
   /// Known in a flat domain whose walls know it.
   bool clears(const Eigen::VectorXd& a, const Eigen::VectorXd& b) const override;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/obstacles/broad_phase.hpp"
 #include "problems/obstacles/outlines.hpp"
 
@@ -170,6 +171,13 @@ bool ObstacleWalls::planes(const Vector& a, const Vector& b, double reach, std::
 
 std::string ObstacleWalls::obstacle_name(int i) const {
   return i < 0 ? "" : obstacle(i).name() + " (number " + std::to_string(i) + ")";
+}
+
+std::string ObstacleWalls::depth_text(int i, double missing) const {
+  constexpr double kRounding = 1e-9;  // sizes
+  const double deep = missing - clearance_;
+  if (i < 0 || !(deep > kRounding * size_) || !std::isfinite(deep)) return "";
+  return "lies " + short_number(deep) + " deep inside " + obstacle_name(i);
 }
 
 void ObstacleWalls::draw(const DrawnPaths&, Drawing& out) const { draw_outlines(obstacles_, clearance_, out); }

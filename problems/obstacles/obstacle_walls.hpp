@@ -39,6 +39,7 @@ class ObstacleWalls final : public Walls,
   bool planes(const Vector& a, const Vector& b, double reach, std::vector<SupportPlane>& found) const override;
   std::string obstacle_name(int obstacle) const override;
   int wall_count() const override { return static_cast<int>(obstacles_.size()); }
+  std::string depth_text(int obstacle, double missing) const override;
   void draw(const DrawnPaths& paths, Drawing& out) const override;
 
  private:

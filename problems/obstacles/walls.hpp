@@ -45,7 +45,8 @@ class Walls : public HasAbilities<Walls> {
   /// How far that move may be displaced, at least, before it meets the core of an obstacle, which it could be drawn
   /// through to the other side; no more than `reach` is asked for. `reach` itself: not known, hence not watched.
   virtual double room(const Vector& a, const Vector& b, double reach) const;
-  virtual std::string obstacle_name(int obstacle) const = 0;  ///< in messages
+  virtual std::string obstacle_name(int obstacle) const = 0;                                 ///< in messages
+  virtual std::string depth_text(int /*obstacle*/, double /*missing*/) const { return ""; }  ///< as of ChecksMoves
 };
 
 inline void Walls::along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const {

@@ -324,6 +324,10 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
     add_bound(both.reach, links_[static_cast<std::size_t>(both.near)].number);
     open.push_back({static_cast<int>(i), -1, all_of(both.last - both.first)});
   }
+  thread_local Open met;  // what is in the way of one move is mostly in the way of the next, and looked at first
+  const auto is_met = [&](const Open& one) { return one.link == met.link && one.thing == met.thing; };
+  const auto first = std::find_if(open.begin(), open.end(), is_met);
+  if (first != open.end()) std::swap(*first, open.front());
   if (!std::isfinite(farthest)) {  // nothing is known of places in between
     left.emplace_back(0, 1);
     return true;
@@ -341,7 +345,10 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
         Open one = open[k];
         const Found found =
             one.thing < 0 ? look_at_pair(move, one, half, rounding) : look_at_thing(move, one, half, rounding);
-        if (found == Found::touches) return false;
+        if (found == Found::touches) {
+          met = one;
+          return false;
+        }
         if (found == Found::open) still.push_back(one);
       }
       if (still.size() == first) continue;

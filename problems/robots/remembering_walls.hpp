@@ -30,6 +30,7 @@ class RememberingWalls final : public Walls {
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override { return walls_->obstacle_name(obstacle); }
+  std::string depth_text(int obstacle, double missing) const override { return walls_->depth_text(obstacle, missing); }
   const Walls* decorated(const std::type_info&) const override { return walls_.get(); }
 
  private:

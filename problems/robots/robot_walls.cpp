@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/obstacles/broad_phase.hpp"
 #include "problems/robots/box_distance.hpp"
 #include "problems/robots/move_sieve.hpp"
@@ -41,7 +42,7 @@ Eigen::VectorXd reach_of(const Kinematics& kinematics, int seen_from, int link, 
 }  // namespace
 
 RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance)
-    : robot_(std::move(robot)) {
+    : robot_(std::move(robot)), clearance_(clearance) {
   if (!(clearance >= 0) || !std::isfinite(clearance)) throw OptionError("clearance", "must be a number, at least 0");
   const Kinematics& kinematics = *robot_->kinematics;
   const auto add_body = [&](int link, double radius, const auto& corners) {
@@ -259,6 +260,16 @@ std::string RobotWalls::obstacle_name(int obstacle) const {
          std::to_string(other) + ")";
 }
 
+/// A clearance is kept from obstacles alone.
+std::string RobotWalls::depth_text(int obstacle, double missing) const {
+  constexpr double kRounding = 1e-9;  // sizes
+  const bool of_self = static_cast<std::size_t>(std::max(0, obstacle)) >= bodies_.size() * obstacles_.size();
+  const double deep = missing - (of_self ? 0 : clearance_);
+  if (obstacle < 0 || !(deep > kRounding * size_) || !std::isfinite(deep)) return "";
+  return "is in collision: " + obstacle_name(obstacle) + " overlap by " + short_number(deep);
+}
+
+/// What is required of pairs, by how far the part moves at most as the configuration moves by 1.
 double RobotWalls::find_thinnest() const {
   double thinnest = kUnbounded;
   const double least = required_.empty() ? kUnbounded : *std::min_element(required_.begin(), required_.end());

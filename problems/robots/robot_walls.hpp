@@ -53,6 +53,7 @@ class RobotWalls final : public PairWalls,
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;
   double room(const Vector& a, const Vector& b, double reach) const override;
   std::string obstacle_name(int obstacle) const override;
+  std::string depth_text(int obstacle, double missing) const override;
   double thinnest() const override { return thinnest_; }
   int wall_count() const override { return static_cast<int>(bodies_.size() * obstacles_.size() + self_.size()); }
   void draw(const DrawnPaths& paths, Drawing& out) const override;
@@ -109,6 +110,7 @@ class RobotWalls final : public PairWalls,
   double rounding(const Vector& a, const Vector& b) const;
 
   std::shared_ptr<const Robot> robot_;
+  double clearance_;
   Obstacles obstacles_;
   std::vector<const MeetsTriangles*> for_plates_;  ///< the same obstacles, where there are plates
   std::vector<CoreBox> boxes_;                     ///< of the cores

@@ -981,7 +981,7 @@ class initializer:
         goal_bias: Share of samples placed at the other end. (>= 0 and <= 1; default: 0.1)
         reach: How far beyond the tree samples are taken, in units of the distance between the ends. (> 0; default: 1)
         max_nodes: Number of nodes in both trees at which the search gives up. (>= 1; default: 20000)
-        shortcuts: Number of random shortcuts tried on the path found; for a robot, up to eight times as many. (>= 0;
+        shortcuts: Number of random shortcuts tried on the path found; for a robot, up to ten times as many. (>= 0;
           default: 200)
         paths: Number of paths to find, of which the shortest is taken; default: among obstacles 8 in space and 4 in
           more dimensions (a robot; up to 12 if the best is far from straight), otherwise 1. (>= 1)

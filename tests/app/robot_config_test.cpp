@@ -82,7 +82,8 @@ TEST_CASE("robot: its options are named where they are wrong") {
   CHECK_THAT(errors_of(replaced(kBody, "0.5, 0, 0.1]]", "0.5, 0, -0.1]]")),
              Contains("'shape' in robot: capsule 0 must have a radius greater than 0"));
   CHECK_THAT(errors_of(replaced(kBody, "[2, 0.5]", "[0.2, 0.1]")),
-             Contains("end_in_clearance: the body and the ball at (0.2, 0.1)") && Contains(" overlap by "));
+             Contains("end_in_clearance: it is in collision: the body and the ball at (0.2, 0.1)") &&
+                 Contains(" overlap by "));
 }
 
 TEST_CASE("robot: without a number of points it gets as many as its thin parts need") {

@@ -378,6 +378,8 @@ TEST_CASE("obstacles: ends within a clearance, sharp corners without one, and ot
   const ObstaclePtr ball = make_ball({Vector2d(0, 0), 1});
   CHECK_THROWS_WITH(solve(among({ball}, 0.5, Vector2d(-1.2, 0), Vector2d(3, 0)), 20, StraightInitializer()),
                     Catch::Contains("end_in_clearance: the source is 0.3 too close to the ball at (0, 0)"));
+  CHECK_THROWS_WITH(solve(among({ball}, 0.5, Vector2d(-0.7, 0), Vector2d(3, 0)), 20, StraightInitializer()),
+                    Catch::Contains("end_in_clearance: the source lies 0.3 deep inside the ball at (0, 0)"));
   CHECK_THROWS_WITH(among({make_box_obstacle({Vector2d(0, 0), Vector2d(1, 1)})}, 0, Vector2d(-1, 0), Vector2d(3, 0)),
                     Catch::Contains("sharp corners"));
   CHECK_THROWS_WITH(among({make_ball({Vector3d(0, 0, 0), 1})}, 0, Vector2d(-1, 0), Vector2d(3, 0)),

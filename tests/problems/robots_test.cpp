@@ -463,6 +463,11 @@ TEST_CASE("robots: names, limits and refused options") {
   const RobotWalls walls(panda_arm(), {make_ball({Vector3d(1, 0, 0.5), 0.1})}, 0);
   CHECK(walls.obstacle_name(5) == "link 5 and the ball at (1, 0, 0.5) (number 0)");
   CHECK(walls.obstacle_name(10) == "link 5 and the base");
+  const RobotWalls wide(panda_arm(), {make_ball({Vector3d(1, 0, 0.5), 0.1})}, 0.05);
+  CHECK(wide.depth_text(5, 0.04).empty());
+  CHECK(wide.depth_text(5, 0.07) == "is in collision: link 5 and the ball at (1, 0, 0.5) (number 0) overlap by 0.02");
+  CHECK(wide.depth_text(10, 0.04) ==
+        "is in collision: link 5 and the base overlap by 0.04");  // of itself: no clearance
   CHECK(panda_arm()->kinematics->upper()[3] == -0.0698);
   const auto key = [](const DhArmOptions& options) -> std::string {
     try {
