@@ -84,6 +84,7 @@ TEST_CASE("ends: a target that is millions of turns away is refused with the ang
       "same position within half a turn of the source is 0.577395462";
   CHECK_THROWS_WITH(parsed(config("{point: [1e9, 0]}")), Contains(why));
   CHECK_THROWS_WITH(parsed(config("{points: [[1e9, 0], [2, 0]]}")), Contains(why));
+  CHECK_THROWS_WITH(parsed(config("{point: [1e300, 0]}")), Contains("coordinate 0 is 1e+300, about 1.59e+299 turns"));
   CHECK(parsed(config("{point: [400, 0]}")).parts.problem.target.u[0] == 400);
 }
 
