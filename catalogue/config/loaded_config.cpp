@@ -12,10 +12,10 @@ void LoadedConfig::add_error(const std::string& key, const std::string& message)
   const std::size_t dot = key.rfind('.');
   const std::string last = key.substr(dot + 1);  // npos + 1 is 0
   const std::string what = dot == std::string::npos ? in_quotes(key) : in_quotes(last) + " in " + key.substr(0, dot);
-  const Place place = place_of(tree, key);
+  const Place at = place_of(tree, key);
   // A place in Python, config['cost']['file'], has named the option.
-  const bool named = place.origin.ends_with("['" + last + "']");
-  errors.error(place, named ? message : said_of(what, message));
+  const bool named = at.origin.ends_with("['" + last + "']");
+  errors.error(at, named ? message : said_of(what, message));
 }
 
 }  // namespace leastcost

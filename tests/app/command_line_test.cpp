@@ -163,14 +163,14 @@ TEST_CASE("command line: validate says which files it did not read and which are
   CHECK(report["files"][0]["not_checked"][0] == "dem.asc");
   const Called missing = call({"validate", gone});
   CHECK(missing.exit == 3);
-  CHECK_THAT(missing.err, Contains("gone.yaml:1:34: error: ") && Contains("gone.asc: no such file"));
+  CHECK_THAT(missing.err, Contains("gone.yaml:1:33: error: ") && Contains("gone.asc: no such file"));
 }
 
 TEST_CASE("command line: exit codes are in the help of every command") {
   for (const char* command : {"run", "field", "study", "validate", "doctor", "figure"}) {
     const std::string help = call({command, "--help"}).out;
     CHECK_THAT(help, Contains("Exit codes: 0 certified"));
-    CHECK(help.find("Exit codes") == help.rfind("Exit codes"));
+    CHECK(help.find("Exit codes: 0 certified") == help.rfind("Exit codes: 0 certified"));
   }
 }
 

@@ -206,7 +206,8 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK(errors_of(based + "ends: {source: {point: [0, 3]}}\n") == "");
   CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3]}, target: {point: [1, 3]}}\n"),
              Contains("a source alone is a fixed point of the ring"));
-  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"), Contains("3 coordinates"));
+  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"),
+             Contains("must have 2 coordinates (u, v; found 3)"));
   CHECK_THAT(errors_of(based + "family: {windings: 1, bows: 2}\n"),
              Contains("'windings' tries images of the target, but a ring has none") &&
                  Contains("'bows' bows the line between two ends, but a ring has none"));

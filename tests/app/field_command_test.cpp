@@ -208,7 +208,7 @@ TEST_CASE("field command: what it refuses, in one sentence") {
   };
   refused({"--from", "1"}, 4, "--from 1: there is no such file, and it is not a place");
   refused({"--from", "1,nan"}, 4, "expected two numbers");
-  refused({"--from", "9,9"}, 4, "--from 9,9: ");
+  refused({"--from", "9,9"}, 4, "--from 9,9 must have x between 0 and 4 (found 9)");
   refused({"--to", "9,9"}, 4, "--to 9,9 must have x between 0 and 4 (found 9): move the point\n");
   refused({"--way", "w.csv"}, 4, "--way needs --to X,Y");
   refused({"--corridor", "--to-here"}, 4, "both directions");

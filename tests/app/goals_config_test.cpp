@@ -53,7 +53,7 @@ TEST_CASE("goals: what is refused") {
     CHECK_THROWS_WITH(parsed(among_discs(target)), Contains(why));
   };
   refused("{points: [[1, 0], [1, 0.2]]}", "none of them is free");
-  refused("{points: [[1, 0, 0]]}", "has 3 coordinates");
+  refused("{points: [[1, 0, 0]]}", "must have 2 coordinates (x, y; found 3)");
   refused("{points: [[3, 0]], point: [1, 0]}", "exactly one of");
   refused("{tool: {position: [1, 0]}}", "needs a robot");
   CHECK_THROWS_WITH(parsed("manifold: {type: euclidean, dimension: 2}\ncost: euclidean\n"
@@ -65,7 +65,7 @@ TEST_CASE("goals: where the source was refused the message is about the source a
   for (const char* target : {"{tool: {position: [0.4, 0.3, 0.5]}}", "{points: [[0, 0, 0, -1, 0, 1, 0]]}"}) {
     std::string text = arm(target);
     text.replace(text.find("[-1, 0.4"), 3, "[-9");
-    CHECK_THROWS_WITH(parsed(text), Contains("coordinate 0 is -9") && !Contains("ends.target"));
+    CHECK_THROWS_WITH(parsed(text), Contains("must have x0 between") && !Contains("ends.target"));
   }
 }
 
