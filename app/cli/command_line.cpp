@@ -71,6 +71,12 @@ void add_shell(const CommandLine& line) {
   });
 }
 
+/// Below the footer that a command has of its own.
+void add_exit_codes(CLI::App& command) {
+  const std::string own = command.get_footer();
+  command.footer(own.empty() || own == kExitCodes ? kExitCodes : own + "\n" + kExitCodes);
+}
+
 std::vector<std::string> names_of(const std::vector<CLI::App*>& commands) {
   std::vector<std::string> names;
   names.reserve(commands.size());
@@ -115,9 +121,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
                std::filesystem::path(arguments.front()).filename().string());
   app.set_version_flag("--version", "leastcost " + std::string(program_version()));
   app.require_subcommand(1);
-  app.footer(
-      "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n6 no "
-      "path, 7 part of a study or of many pairs failed, 8 output or system error, 130 interrupted");
+  app.footer(kExitCodes);
   std::function<Exit()> chosen;
   const CommandLine line{app, values, arguments, streams, chosen};
   add_run(line);
@@ -132,6 +136,7 @@ Exit parse_and_run(const std::vector<std::string>& arguments, const Streams& str
   add_distances(line);
   add_field(line);
   add_shell(line);
+  for (CLI::App* command : app.get_subcommands({})) add_exit_codes(*command);
 
   const std::vector<std::string> names = names_of(app.get_subcommands({}));
   if (arguments.size() > 1 && arguments[1].rfind('-', 0) != 0 &&

@@ -107,6 +107,7 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     if (!has_folder(file, streams)) return Exit::output;
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
   const ConstraintManifold& domain = *run.parts.problem.manifold;
+  check_dimension_of_field(run.parts.problem);
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
   const FieldNodes nodes = field_nodes(run.parts.problem);
   if (writes) check_format(format, nodes);
@@ -117,7 +118,9 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   catch_interrupts();
   Monitor monitor;
   monitor.stop_requested = interrupted;
-  const CostFieldOptions options{.resolution = arguments.resolution, .to_places = arguments.to_here};
+  const CostFieldOptions options{.resolution = arguments.resolution,
+                                 .equal_steps = writes && format == FieldFormat::asc,
+                                 .to_places = arguments.to_here};
   try {
     const std::vector<FieldPlace> to = places_of(arguments.to, "--to", form);
     if (arguments.corridor && to.size() > 1)
@@ -143,7 +146,7 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     if (writes && !write_bytes(arguments.output, field_text(field, format), streams)) return Exit::output;
     if (!arguments.figure.empty())
       write_picture(field_figure(field, drawn, arguments.picture), arguments.figure, arguments.picture.size.dpi);
-    if (!arguments.ways.empty() && !write_bytes(arguments.ways, ways_csv(ways), streams)) return Exit::output;
+    if (!arguments.ways.empty() && !write_bytes(arguments.ways, ways_csv(field, ways), streams)) return Exit::output;
     const std::string& file = writes ? arguments.output : arguments.figure;
     streams.out << (arguments.json ? field_summary_json(field, file, ways) : field_summary_text(field, file, ways));
     return field.on_mesh() && field.on_vertices().cut ? Exit::uncertified : Exit::certified;
@@ -203,6 +206,9 @@ void add_field(const CommandLine& line) {
   c.callback([&] {
     if (v.output.empty() && v.field.figure.empty())
       throw CLI::ValidationError("field", "needs --output FILE, --figure FILE, or both");
+    for (const char* of_picture : {"--width", "--font-size", "--what", "--unit", "--dpi"})
+      if (v.field.figure.empty() && c.count(of_picture) > 0)
+        throw CLI::ValidationError(of_picture, "is for the picture: add --figure FILE, or leave it out");
     read_option("--figure", [&] {
       if (!v.field.figure.empty()) check_picture_file(v.field.figure);
     });

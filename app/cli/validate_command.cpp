@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -14,6 +15,7 @@
 #include "catalogue/config/raster_reading.hpp"
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/run/compose.hpp"
+#include "catalogue/run/missing_files.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -44,10 +46,22 @@ std::string word_on_default(const LoadedConfig& loaded) {
          "  (initializer: eikonal); to begin with the straight line, set 'initializer: straight'\n";
 }
 
+/// What is known only with the contents of files, which are not read.
+std::string word_on_files(const std::vector<std::string>& files) {
+  if (files.empty()) return "";
+  return fmt::format("  not checked: the contents of {}; leastcost run reads {}\n", fmt::join(files, ", "),
+                     files.size() == 1 ? "it" : "them");
+}
+
+/// What is beside the errors of a configuration.
+struct Beside {
+  std::string word;                      ///< to say
+  std::vector<std::string> not_checked;  ///< files whose contents were not
+};
+
 /// The errors of a configuration or a study. An unreadable file is one more error, so that the other files get their
-/// turn. `word`: what to say beside it.
-Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable,
-                      std::string& word) {
+/// turn.
+Diagnostics errors_in(const std::string& file, const std::vector<Override>& overrides, bool& readable, Beside& beside) {
   try {
     const ConfigText source = config_source(file);
     if (is_study(source.text)) {
@@ -57,7 +71,11 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     }
     LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
     if (loaded.errors.empty()) check_parts(loaded);
-    word = word_on_default(loaded);
+    if (loaded.errors.empty())
+      for (const MissingFile& missing : missing_files(loaded))
+        loaded.errors.error(missing.named, missing.file + ": no such file");
+    beside.not_checked = files_of(loaded.config);
+    beside.word = word_on_default(loaded) + word_on_files(beside.not_checked);
     return loaded.errors;
   } catch (const InputError& e) {
     readable = false;
@@ -74,13 +92,14 @@ Exit validate_command(const std::vector<std::string>& files, const std::vector<O
   Json report = Json::array();
   bool all_valid = true, all_readable = true;
   for (const std::string& file : files) {
-    std::string word;
-    const Diagnostics errors = errors_in(file, overrides, all_readable, word);
+    Beside beside;
+    const Diagnostics errors = errors_in(file, overrides, all_readable, beside);
     const bool valid = errors.empty();
     all_valid = all_valid && valid;
-    report.push_back({{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}});
+    report.push_back(
+        {{"file", file}, {"valid", valid}, {"errors", diagnostics_json(errors)}, {"not_checked", beside.not_checked}});
     if (!valid) streams.err << errors.render(streams.color) << errors.count() << '\n';
-    if (valid && !json) streams.out << file << ": valid\n" << word;
+    if (valid && !json) streams.out << file << ": valid\n" << beside.word;
   }
   if (json) streams.out << to_text({{"valid", all_valid}, {"files", report}});
   if (!all_readable) return Exit::input;

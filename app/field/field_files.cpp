@@ -3,6 +3,7 @@
 #include "app/field/field_files.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -20,8 +21,12 @@
 namespace leastcost::app {
 namespace {
 
-std::string lattice_csv(const CostField& field) {
-  std::string out = "x,y,cost\n";
+std::string header(const std::vector<std::string>& names, const char* cost) {
+  return fmt::format("{},{}\n", fmt::join(names, ","), cost);
+}
+
+std::string lattice_csv(const CostField& field, const std::vector<std::string>& names) {
+  std::string out = header(names, "cost");
   for (std::int32_t j = 0; j < field.count[1]; ++j)
     for (std::int32_t i = 0; i < field.count[0]; ++i) {
       const Eigen::Vector2d x = field.node(i, j);
@@ -60,7 +65,7 @@ std::string lattice_asc(const CostField& field) {
   if (std::abs(field.step.x() - field.step.y()) > kRounding * field.step.x())
     throw InputError(
         fmt::format("an .asc file needs cells with equal sides (found {} and {}): write .csv or .npy, or set "
-                    "--resolution",
+                    "a --resolution that divides both sides of the box",
                     field.step.x(), field.step.y()));
   std::string out = fmt::format("ncols {}\nnrows {}\nxllcorner {}\nyllcorner {}\ncellsize {}\nNODATA_value {}\n",
                                 field.count[0], field.count[1], field.lower.x() - field.step.x() / 2,
@@ -74,8 +79,8 @@ std::string lattice_asc(const CostField& field) {
   return out;
 }
 
-std::string space_csv(const SpaceField& field) {
-  std::string out = "x,y,z,cost\n";
+std::string space_csv(const SpaceField& field, const std::vector<std::string>& names) {
+  std::string out = header(names, "cost");
   for (std::int32_t k = 0; k < field.count[2]; ++k)
     for (std::int32_t j = 0; j < field.count[1]; ++j)
       for (std::int32_t i = 0; i < field.count[0]; ++i) {
@@ -209,8 +214,8 @@ std::string field_text(const RunField& field, FieldFormat format) {
   switch (format) {
     case FieldFormat::csv:
       return mesh    ? mesh_csv(field.mesh(), field.on_vertices())
-             : space ? space_csv(field.space())
-                     : lattice_csv(field.lattice());
+             : space ? space_csv(field.space(), field.names())
+                     : lattice_csv(field.lattice(), field.names());
     case FieldFormat::npy:
       return mesh    ? mesh_npy(field.mesh(), field.on_vertices())
              : space ? space_npy(field.space())
@@ -224,9 +229,8 @@ std::string field_text(const RunField& field, FieldFormat format) {
   return "";
 }
 
-std::string ways_csv(const std::vector<FieldWay>& ways) {
-  const bool in_space = !ways.empty() && ways[0].points[0].size() == 3;
-  std::string out = in_space ? "way,x,y,z\n" : "way,x,y\n";
+std::string ways_csv(const RunField& field, const std::vector<FieldWay>& ways) {
+  std::string out = fmt::format("way,{}\n", fmt::join(field.names(), ","));
   for (std::size_t k = 0; k < ways.size(); ++k)
     for (const Eigen::VectorXd& x : ways[k].points) {
       fmt::format_to(std::back_inserter(out), "{}", k);

@@ -38,6 +38,6 @@ void check_format(FieldFormat format, FieldNodes nodes);
 std::string field_text(const RunField& field, FieldFormat format);
 
 /// CSV: the number of the way, from 0, and the coordinates of each of its points.
-std::string ways_csv(const std::vector<FieldWay>& ways);
+std::string ways_csv(const RunField& field, const std::vector<FieldWay>& ways);
 
 }  // namespace leastcost::app

@@ -72,7 +72,7 @@ Json error_json(const RunField& field) {
 
 /// Of a field over a lattice, in two coordinates or in space.
 template <class Field>
-std::string estimate_notes(const Field& field) {
+std::string estimate_notes(const Field& field, double largest) {
   std::string out;
   if (std::isfinite(field.error))
     out += fmt::format(
@@ -80,15 +80,20 @@ std::string estimate_notes(const Field& field) {
         field.error, field.mean_error);
   else
     out += "error  not estimated: half as many cells are too few\n";
+  if (field.error > largest)
+    out +=
+        "note: at some nodes the error may be larger than every value: use a smaller --resolution\n";
+  if (!field.without_cost.empty())
+    out += fmt::format("note: nodes without a cost are left out: {}\n", field.without_cost);
   if (field.unresolved > 0)
     out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
                        field.unresolved);
   return out;
 }
 
-std::string lattice_notes(const RunField& of) {
+std::string lattice_notes(const RunField& of, double largest) {
   const CostField& field = of.lattice();
-  std::string out = estimate_notes(field);
+  std::string out = estimate_notes(field, largest);
   if (field.directed && !of.is_corridor())
     out += fmt::format("note: the two directions of a way differ in cost; these are costs of {} the {}\n",
                        of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place");
@@ -139,8 +144,9 @@ std::string field_summary_text(const RunField& field, const std::string& output,
   std::string out = fmt::format("{}: {}, {} reached, the largest value {:.6g} {}\n", output, nodes, extent.reached,
                                 extent.largest, unit);
   out += field.on_mesh()    ? mesh_notes(field.on_vertices())
-         : field.in_space() ? estimate_notes(field.space())
-                            : lattice_notes(field);
+         : field.in_space() ? estimate_notes(field.space(), extent.largest)
+                            : lattice_notes(field, extent.largest);
+  for (const std::string& note : field.notes()) out += fmt::format("note: {}\n", note);
   for (const FieldWay& way : ways)
     out += fmt::format("path   from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
                        point_text(way.points.back()), way.cost, unit);
@@ -159,6 +165,7 @@ std::string field_summary_json(const RunField& field, const std::string& output,
   if (field.is_corridor()) out["to"] = places_json({field.target()});
   say_nodes(field, out);
   out["error"] = error_json(field);
+  out["notes"] = field.notes();
   out["ways"] = Json::array();
   for (const FieldWay& way : ways)
     out["ways"].push_back({{"begin", numbers(way.points.front())},

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/field/run_field.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/base/said_of.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/robots/robot.hpp>
 #include "catalogue/run/run_origin.hpp"
+#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -56,6 +60,28 @@ EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& ot
 
 }  // namespace
 
+void check_dimension_of_field(const Problem& problem) {
+  const ConstraintManifold& domain = *problem.manifold;
+  const int d = domain.dimensions().coordinate;
+  if (d == 2 || find_ability<HasMesh>(domain) != nullptr || (d == 3 && field_nodes(problem) == FieldNodes::space))
+    return;
+  throw InputError(
+      d == 3
+          ? "field: these three coordinates have none: it needs two coordinates, space or a box of it, or a mesh; "
+            "leastcost run gives the least cost between two places"
+          : fmt::format("field: there are none in {}: only in two and in three coordinates, and on a mesh; leastcost "
+                        "run gives the least cost between two places",
+                        d == 1 ? "one coordinate" : fmt::format("{} coordinates", d)));
+}
+
+std::vector<std::string> RunField::names() const {
+  const Robot* robot = origin_->parts.robot.get();
+  const auto d = static_cast<std::size_t>(problem_.manifold->dimensions().coordinate);
+  if (robot != nullptr && robot->joints.size() == d) return robot->joints;
+  if (robot != nullptr && robot->kinematics->link_count() == 1 && d == 3) return {"x", "y", "angle"};
+  return point_coordinates(*problem_.manifold);
+}
+
 FieldNodes field_nodes(const Problem& problem) {
   if (find_ability<HasMesh>(*problem.manifold) != nullptr) return FieldNodes::mesh;
   return problem.manifold->dimensions().coordinate == 3 && is_in_space(problem) ? FieldNodes::space : FieldNodes::plane;
@@ -74,6 +100,12 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   const auto placed = [&](const EndOptions& place) {
     return origin_->pairs->compose(place, target, origin_->pairs->parts()).problem;
   };
+  // By itself: beside another place its faults would be said of that one.
+  const FieldPlace* leads_to = one_target     ? nullptr
+                               : ends.target  ? &*ends.target
+                               : from.empty() ? nullptr
+                                              : &from.back();
+  if (leads_to != nullptr) saying(*leads_to, [&] { return placed(leads_to->end); });
   for (const FieldPlace& place : from) {
     const Problem problem = saying(place, [&] { return placed(place.end); });
     if (places_.empty()) problem_ = problem;
@@ -91,6 +123,8 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   fields_ = std::make_shared<const MeshFields>(problem_, stop);
   vertices_ = fields_->from(points_of(*fields_, places_), stop);
 }
+
+const std::vector<std::string>& RunField::notes() const { return origin_->parts.notes; }
 
 PathEnd RunField::place(const FieldPlace& at) const {
   return saying(at, [&] { return origin_->pairs->compose(source_, at.end, origin_->pairs->parts()).problem.target; });

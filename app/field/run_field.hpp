@@ -38,6 +38,8 @@ struct FieldWay {
 /// What the nodes of a field are: a lattice in two coordinates, one in space, or the vertices of a mesh.
 enum class FieldNodes { plane, space, mesh };
 FieldNodes field_nodes(const Problem& problem);
+/// Throws InputError for a domain whose coordinates have no field, whatever the places are.
+void check_dimension_of_field(const Problem& problem);
 
 /// The field of a configuration: over a lattice in two coordinates or in space, or over the vertices of a mesh.
 class RunField {
@@ -67,6 +69,10 @@ class RunField {
   const TriangleMesh& mesh() const { return fields_->mesh(); }
   const Problem& problem() const { return problem_; }
   const std::vector<PathEnd>& places() const { return places_; }
+  /// Of the coordinates: x and y, the joints of an arm, x, y and the angle of a body.
+  std::vector<std::string> names() const;
+  /// What the user should know about how the configuration was read.
+  const std::vector<std::string>& notes() const;
   /// Of all nodes; NaN: no path.
   const std::vector<double>& values() const {
     return on_mesh() ? vertices_.values : in_space() ? space_.values : lattice_.values;

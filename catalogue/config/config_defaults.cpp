@@ -65,6 +65,23 @@ void count_points_of_robot(ConfigNode& tree) {
   if (path.is_block()) path.entries.push_back({"points", place, scalar_node("auto")});
 }
 
+/// A space has as many dimensions as its box.
+void take_dimension_of_box(ConfigNode& tree) {
+  ConfigEntry* manifold = tree.find("manifold");
+  const ConfigNode* type = node_at(tree, "manifold.type");
+  if (manifold == nullptr || type == nullptr || type->text != "euclidean" ||
+      node_at(tree, "manifold.dimension") != nullptr)
+    return;
+  for (const char* side : {"manifold.lower", "manifold.upper"}) {
+    const ConfigNode* numbers = node_at(tree, side);
+    if (numbers == nullptr || !numbers->is_list() || numbers->items.empty()) continue;
+    manifold->value.entries.push_back(
+        {"dimension", manifold->place, scalar_node(std::to_string(numbers->items.size()))});
+    manifold->value.entries.back().value.place = numbers->place;
+    return;
+  }
+}
+
 }  // namespace
 
 void fill_defaults(RunConfig& config) {
@@ -90,6 +107,7 @@ void fill_defaults(RunConfig& config) {
 
 void complete_types(ConfigNode& tree, const Externals& externals) {
   count_points_of_robot(tree);
+  take_dimension_of_box(tree);
   const auto text_at = [&](std::string_view path) {
     const ConfigNode* node = node_at(tree, path);
     return node != nullptr && node->is_scalar() ? node->text : std::string();

@@ -41,9 +41,9 @@ RasterGrid read_raster(const RasterOptions& options, const std::filesystem::path
   check(options);
   RasterFile file = read_file(folder / options.file);
   if (!file.raster.crs) file.raster.crs = crs_beside(folder / options.file);
-  std::string turned;
-  RasterGrid raster = placed_upright(std::move(file), options, resampling, turned);
-  if (note && !turned.empty()) note(std::move(turned));
+  std::string said;
+  RasterGrid raster = placed_upright(std::move(file), options, resampling, said);
+  if (note && !said.empty()) note(std::move(said));
   return raster;
 }
 

@@ -29,12 +29,14 @@ const ConfigEntry* OptionsReader::entry(std::string_view key, const FieldDoc& do
     return nullptr;
   }
   if (e->value.kind != ConfigNode::Kind::nothing) return e;
-  errors_.error(e->place, fmt::format("'{}'{} has no value: remove the key to use the default", key, inside()));
+  fault(key, e->place, "has no value: remove the key to use the default");
   return nullptr;
 }
 
 void OptionsReader::fault(std::string_view key, const Place& place, const std::string& message) {
-  errors_.error(place, fmt::format("'{}'{} {}", key, inside(), message));
+  // A place in Python, config['path']['points'], has named the option.
+  const bool named = place.origin.ends_with(fmt::format("['{}']", key));
+  errors_.error(place, named ? message : fmt::format("'{}'{} {}", key, inside(), message));
 }
 
 void OptionsReader::check_range(std::string_view key, const ConfigNode& node, double value, const FieldDoc& doc) {
@@ -220,7 +222,11 @@ void OptionsReader::points(std::string_view key, std::optional<int>& value, cons
     return;
   }
   const Parsed<int> parsed = parse_int(e->value);
-  if (!parsed.value) return fault(key, e->value.place, "must be a whole number or auto (" + found(e->value) + ")");
+  const bool in_digits = parsed.fault.starts_with("must be a whole number in digits");
+  if (!parsed.value)
+    return fault(key, e->value.place,
+                 fmt::format("must be a whole number{} or auto ({})",
+                             in_digits ? " in digits, without point and exponent," : "", found(e->value)));
   value = *parsed.value;
   check_range(key, e->value, *value, doc);
 }

@@ -16,6 +16,7 @@
 #include "catalogue/inputs/map_file.hpp"
 #include "catalogue/inputs/raster_file.hpp"
 #include "catalogue/plugins/registration.hpp"
+#include "framework/base/point_text.hpp"
 
 namespace leastcost {
 namespace {
@@ -32,6 +33,19 @@ std::shared_ptr<const EuclideanManifold> joint_box(const std::shared_ptr<const R
   EuclideanManifoldOptions options{.dimension = static_cast<int>(kinematics.dimension())};
   options.box = {kinematics.lower(), kinematics.upper()};
   return std::make_shared<const EuclideanManifold>(options);
+}
+
+void say(const BuildContext& context, const std::string& note) {
+  if (context.note && !note.empty()) context.note(note);
+}
+
+/// A path on a surface that crosses itself does not change from one sheet to the other where they meet.
+void note_crossing(const ParametricOptions& options, const BuildContext& context) {
+  const auto* torus = std::get_if<parametric::Torus>(&options.surface);
+  if (torus == nullptr || torus->minor_radius <= torus->major_radius) return;
+  say(context, "the torus crosses itself, because minor_radius (" + short_number(torus->minor_radius, 6) +
+                   ") is larger than major_radius (" + short_number(torus->major_radius, 6) +
+                   "): paths do not change between its sheets where they cross");
 }
 
 }  // namespace
@@ -56,7 +70,10 @@ const std::vector<ManifoldPlugin>& built_in::manifolds() {
           .of_dimension(2),
       plugin<ManifoldPlugin, ParametricOptions>(
           "parametric", "A surface x(u, v) in R^3, by name or by formulas; points are given in u and v.",
-          [](const ParametricOptions& o, const BuildContext&) { return make_parametric_manifold(o); }),
+          [](const ParametricOptions& o, const BuildContext& c) {
+            note_crossing(o, c);
+            return make_parametric_manifold(o);
+          }),
       made_of<ManifoldPlugin, EarthManifold, EarthOptions>(
           "earth", "The WGS84 ellipsoid; points are (latitude, longitude) in degrees, lengths in metres."),
       plugin<ManifoldPlugin, ImplicitManifoldOptions>(
@@ -90,8 +107,8 @@ const std::vector<ManifoldPlugin>& built_in::manifolds() {
           "terrain", "The surface (x, y, z(x, y)) over a raster of heights; points are map coordinates (x, y).",
           [](const RasterOptions& o, const BuildContext& c) {
             RasterGrid heights = read_raster(o, c.folder, Resampling::bilinear, c.note);
-            check_slopes(heights, o);
             check_heights(heights, o);
+            say(c, check_slopes(heights, o));
             return std::make_shared<const TerrainManifold>(std::move(heights));
           })
           .waiting()

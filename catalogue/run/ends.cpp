@@ -22,8 +22,10 @@
 #include <leastcost/problems/manifolds/file_places.hpp>
 #include <leastcost/problems/manifolds/made_from_data.hpp>
 #include <leastcost/problems/occupancy/names_cells.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 #include "framework/problem/moved_end.hpp"
+#include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
 namespace {
@@ -55,6 +57,15 @@ PlacedEnd on_face(const HasFaces& domain, int face, const std::optional<Eigen::V
 
 constexpr double kRounding = 1e-9;  ///< of coordinates
 
+std::string name_of(const ConstraintManifold& manifold, Eigen::Index coordinate) {
+  return point_coordinates(manifold)[static_cast<std::size_t>(coordinate)];
+}
+
+/// A place that was not given as an end of a configuration has no options.
+std::string or_tolerance(const std::string& path) {
+  return path.rfind("ends.", 0) == 0 ? ", or set 'tolerance' of the end" : "";
+}
+
 /// Throws for the coordinate that is beyond the sides of a box by more than rounding. Each is looked at by itself: one
 /// that is large would forgive the others.
 void check_sides(const ConstraintManifold& manifold, const Eigen::VectorXd& point, const std::string& path) {
@@ -64,10 +75,8 @@ void check_sides(const ConstraintManifold& manifold, const Eigen::VectorXd& poin
   for (Eigen::Index i = 0; i < std::min(point.size(), box->box_lower().size()); ++i) {
     const double lower = box->box_lower()[i], upper = box->box_upper()[i];
     if (std::max(lower - point[i], point[i] - upper) <= kRounding * (1 + std::abs(point[i]))) continue;
-    throw OptionError(path + ".point",
-                      fmt::format("coordinate {} is {}, but must be between {} and {}: move the point, or set "
-                                  "'tolerance' of the end",
-                                  i, point[i], lower, upper));
+    throw OptionError(path + ".point", fmt::format("must have {} between {} and {} (found {}): move the point{}",
+                                                   name_of(manifold, i), lower, upper, point[i], or_tolerance(path)));
   }
 }
 
@@ -131,8 +140,8 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
   const int wanted = manifold.dimensions().coordinate;
   const Eigen::VectorXd point = options.point.value_or(Eigen::VectorXd());
   if (point.size() != wanted)
-    throw OptionError(path + ".point",
-                      fmt::format("has {} coordinates, but points of the manifold have {}", point.size(), wanted));
+    throw OptionError(path + ".point", fmt::format("must have {} ({}; found {})", counted(wanted, "coordinate"),
+                                                   fmt::join(point_coordinates(manifold), ", "), point.size()));
   if (!point.allFinite()) throw OptionError(path + ".point", "coordinates must be finite");
   check_latitude(manifold, point, path);
   if (!options.tolerance) check_sides(manifold, point, path);
@@ -152,9 +161,10 @@ PlacedEnd at_point(const ConstraintManifold& manifold, const EndOptions& options
                         fmt::format("the {} {} (the nearest free point is {:.6g} away)", which, why, placed.moved));
     }
     const TwoNumbers texts = told_apart(placed.moved, tolerance, 6);
-    throw OptionError(path + ".point", fmt::format("the nearest point of the manifold is {} away, but the tolerance is "
-                                                   "{}: move the point, or set 'tolerance' of the end",
-                                                   texts.first, texts.second));
+    throw OptionError(path + ".point",
+                      fmt::format("the nearest point of the manifold is {} away, but the tolerance is {}: move the "
+                                  "point{}",
+                                  texts.first, texts.second, or_tolerance(path)));
   }
   return placed;
 }
@@ -177,7 +187,7 @@ bool turns(const Kinematics& robot, Eigen::VectorXd x, Eigen::Index coordinate) 
 }  // namespace
 
 void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::string& key) {
-  constexpr double kMostTurns = 100;
+  constexpr double kMostTurns = 100, kManyTurns = 1e6;
   if (!parts.robot) return;
   const Kinematics& robot = *parts.robot->kinematics;
   const Eigen::VectorXd &source = parts.problem.source.u, &end = target.u;
@@ -190,10 +200,12 @@ void refuse_many_turns(const RunParts& parts, const PathEnd& target, const std::
     if (!turns(robot, near, i)) continue;
     const auto k = static_cast<std::size_t>(i);
     const std::string joint = k < parts.robot->joints.size() ? " ('" + parts.robot->joints[k] + "')" : "";
-    throw OptionError(key,
-                      fmt::format("coordinate {}{} is {}, {:.0f} turns from the source; at most {:.0f} are allowed. "
-                                  "The same position within half a turn of the source is {:.9g}",
-                                  i, joint, end[i], count, kMostTurns, near[i]));
+    throw OptionError(
+        key, fmt::format("coordinate {}{} is {}, {} turns from the source; at most {:.0f} are allowed. "
+                         "The same position within half a turn of the source is {:.9g}",
+                         i, joint, end[i],
+                         count < kManyTurns ? fmt::format("{:.0f}", count) : fmt::format("about {:.3g}", count),
+                         kMostTurns, near[i]));
   }
 }
 

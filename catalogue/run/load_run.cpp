@@ -5,7 +5,6 @@
 #include <chrono>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -14,6 +13,7 @@
 #include "catalogue/inputs/input_file.hpp"
 #include "catalogue/run/compose.hpp"
 #include "catalogue/run/compose_run.hpp"
+#include "catalogue/run/missing_files.hpp"
 #include "catalogue/run/why_defaults.hpp"
 
 namespace leastcost {
@@ -30,28 +30,11 @@ std::vector<InputFile> inputs_of(const LoadedConfig& loaded) {
   return inputs;
 }
 
-/// The place of a text in a configuration; null where it has none of its own.
-const ConfigNode* find_text(const ConfigNode& node, const std::string& text) {
-  if (node.is_scalar() && node.text == text) return &node;
-  const ConfigNode* found = nullptr;
-  for (auto item = node.items.begin(); found == nullptr && item != node.items.end(); ++item)
-    found = find_text(*item, text);
-  for (auto entry = node.entries.begin(); found == nullptr && entry != node.entries.end(); ++entry)
-    found = find_text(entry->value, text);
-  return found;
-}
-
-/// Throws InputError for a file that is not there, with the place where the configuration names it.
+/// Throws InputError for a file that is not there.
 void check_files(const LoadedConfig& loaded) {
-  for (const std::string& name : files_of(loaded.config)) {
-    const std::filesystem::path file = loaded.folder / name;
-    std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(file, error);
-    if (status.type() != std::filesystem::file_type::not_found) continue;
-    const ConfigNode* named = find_text(loaded.tree, name);
-    throw InputError(loaded.errors.where(named == nullptr ? Place{} : named->place) + ": " + file.string() +
-                     ": no such file");
-  }
+  const std::vector<MissingFile> missing = missing_files(loaded);
+  if (!missing.empty())
+    throw InputError(loaded.errors.where(missing[0].named) + ": " + missing[0].file + ": no such file");
 }
 
 Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart& start) {

@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/problems/robots/robot_walls.hpp>
+#include "framework/base/counted.hpp"
 #include "problems/obstacles/walls_in.hpp"
 
 namespace leastcost {
@@ -40,8 +41,8 @@ std::shared_ptr<const Walls> walls_of(ListedObstacles obstacles, double clearanc
 void check_robot_limits(const Robot& robot, const ConstraintManifold& domain) {
   const Eigen::VectorXd lower = robot.kinematics->lower(), upper = robot.kinematics->upper();
   if (lower.size() != domain.dimensions().ambient)
-    throw OptionError("robot", fmt::format("has configurations of {} coordinates, but the manifold has points of {}",
-                                           lower.size(), domain.dimensions().ambient));
+    throw OptionError("robot", fmt::format("has configurations of {}, but the manifold has points of {}",
+                                           counted(lower.size(), "coordinate"), domain.dimensions().ambient));
   if (lower.array().isInf().all() && upper.array().isInf().all()) return;
   const auto* box = find_ability<HasBox>(domain);
   for (Eigen::Index i = 0; i < lower.size(); ++i) {

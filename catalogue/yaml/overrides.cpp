@@ -12,13 +12,22 @@
 namespace leastcost {
 namespace {
 
+/// The words of "block.key". "obstacles[1].radius" is what "obstacles.1.radius" is; other brackets stay, and are no
+/// path.
 std::vector<std::string> split_path(const std::string& path) {
   std::vector<std::string> parts(1);
-  for (const char c : path) {
-    if (c == '.')
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const std::size_t close = path[i] == '[' ? path.find(']', i) : std::string::npos;
+    const bool ends_word = close != std::string::npos && !parts.back().empty() &&
+                           (close + 1 == path.size() || path[close + 1] == '.' || path[close + 1] == '[');
+    if (ends_word && list_index(path.substr(i + 1, close - i - 1))) {
+      parts.push_back(path.substr(i + 1, close - i - 1));
+      i = close;
+    } else if (path[i] == '.') {
       parts.emplace_back();
-    else
-      parts.back() += c;
+    } else {
+      parts.back() += path[i];
+    }
   }
   return parts;
 }
@@ -46,8 +55,9 @@ ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& pla
   if (node.is_list()) {
     const std::optional<std::size_t> index = list_index(key);
     if (index && *index < node.items.size()) return &node.items[*index];
-    errors.error(place, "the list has " + std::to_string(node.items.size()) + " entries, numbered from 0; " +
-                            in_quotes(key) + " is not one of them");
+    errors.error(place, "the list has " + std::to_string(node.items.size()) +
+                            (node.items.size() == 1 ? " entry" : " entries") + ", numbered from 0; " + in_quotes(key) +
+                            " is not one of them");
     return nullptr;
   }
   if (!node.is_block()) {
@@ -69,7 +79,10 @@ void apply(const Override& override, ConfigNode& root, Diagnostics& errors) {
   const std::size_t equals = override.assignment.find('=');
   const std::string path = override.assignment.substr(0, equals);
   if (equals == std::string::npos || !is_path(split_path(path)))
-    return errors.error(place, "must have the form key=value or block.key=value, like solver.max_iterations=50");
+    return errors.error(
+        place,
+        "must have the form key=value or block.key=value, like solver.max_iterations=50 or, the second of a "
+        "list, obstacles[1].radius=2");
   const std::size_t before = errors.size();
   ConfigNode value = read_yaml_value(override.assignment.substr(equals + 1), origin, errors);
   if (errors.size() > before) return;

@@ -85,6 +85,8 @@ Parsed<bool> parse_bool(const ConfigNode& node) {
 }
 
 Parsed<int> parse_int(const ConfigNode& node) {
+  if (node.is_scalar() && !node.quoted && !is_whole(node.text) && is_decimal(node.text))
+    return fault<int>("must be a whole number in digits, without point and exponent (" + found(node) + ")");
   if (!node.is_scalar() || node.quoted || !is_whole(node.text))
     return fault<int>("must be a whole number (" + found(node) + ")");
   if (has_leading_zero(node.text))

@@ -5,12 +5,13 @@
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/counted.hpp"
 
 namespace leastcost {
 
 void check_dimension(const Eigen::VectorXd& point, Eigen::Index dimension) {
   if (point.size() != dimension)
-    throw InputError("a point to check with has " + std::to_string(point.size()) + " coordinates, not " +
+    throw InputError("a point to check with has " + counted(point.size(), "coordinate") + ", not " +
                      std::to_string(dimension));
 }
 

@@ -7,6 +7,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/result/delivery.hpp"
 #include "framework/result/find_path_checks.hpp"
 #include "framework/result/never_worse.hpp"
@@ -18,7 +19,7 @@ void complete_interrupted(const Problem& problem, const FindOptions& options, Re
   check(problem);
   check(options);
   if (result.path.u.rows() != problem.manifold->dimensions().coordinate)  // (a based ring is open in its result)
-    throw InputError("the path has " + std::to_string(result.path.u.rows()) + " coordinates, but the domain has " +
+    throw InputError("the path has " + counted(result.path.u.rows(), "coordinate") + ", but the domain has " +
                      std::to_string(problem.manifold->dimensions().coordinate));
   Monitor stopped;  // post-processors that improve a path step by step return at once
   stopped.stop_requested = [] { return true; };

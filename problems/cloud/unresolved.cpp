@@ -96,6 +96,10 @@ std::string why_unresolved_at(const CloudSurface& surface, const Eigen::Vector3d
 }
 
 std::string why_no_surface_at(const PointCloud& cloud, const CloudSurface& surface, const Eigen::Vector3d& x) {
+  const double distance = std::sqrt(cloud.search().nearest(x - cloud.centre()).squared_distance);
+  if (distance > cloud.diameter())
+    return "it is " + short_number(distance) + " away from the nearest sample of a cloud that is " +
+           short_number(cloud.diameter()) + " across: give a point on the cloud";
   const std::string why = what_lies_around(cloud, surface, x - cloud.centre());
   const std::string now = short_number(*cloud.settings().radius);
   const double radius = radius_that_helps(cloud, {x}, 1.25 * *cloud.settings().radius);

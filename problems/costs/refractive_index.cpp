@@ -12,6 +12,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_free_places.hpp>
 #include "framework/base/counted.hpp"
+#include "framework/base/point_text.hpp"
 #include "problems/costs/isotropic_length.hpp"
 #include "problems/formula/coordinate_names.hpp"
 #include "problems/formula/formula.hpp"
@@ -136,8 +137,12 @@ struct NamedIndex {
   std::string unit() const {
     return std::visit([](const auto& n) { return n.unit(); }, any);
   }
-  std::string why_outside(std::span<const double>) const {
-    return std::visit([](const auto& n) { return n.outside(); }, any);
+  std::string why_outside(std::span<const double> x) const {
+    const auto* formula = std::get_if<FormulaIndex>(&any);
+    if (formula == nullptr) return std::visit([](const auto& n) { return n.outside(); }, any);
+    const double n = (*formula)(x);
+    return (n < 0 && std::isfinite(n) ? formula->outside() : "the formula of n is not finite") +
+           ": n = " + short_number(n, 6);
   }
 };
 

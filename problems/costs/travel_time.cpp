@@ -13,6 +13,7 @@
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/cost/starts_straight.hpp>
+#include "framework/base/counted.hpp"
 #include "problems/costs/potential_time.hpp"
 
 namespace leastcost {
@@ -194,7 +195,7 @@ std::shared_ptr<const SegmentCost> make_travel_time_cost(const TravelTimeOptions
   check_travel_time(options, source.has_value());
   if (dim < 1) throw OptionError("dimension", "the space must have at least one dimension");
   if (source && source->size() != dim)
-    throw InputError("the source has " + std::to_string(source->size()) + " coordinates, but the space has " +
+    throw InputError("the source has " + counted(source->size(), "coordinate") + ", but the space has " +
                      std::to_string(dim));
   if (options.potential)
     return make_potential_time_cost({*options.potential, options.parameters, options.start_speed, options.level}, dim,

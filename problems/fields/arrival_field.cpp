@@ -117,6 +117,7 @@ void ArrivalField::mark_doubtful() {
 /// is not reached yet: where a current carries all moves into a narrow cone no neighbour may lie in it.
 void ArrivalField::spread(const std::function<bool()>& stop) {
   Queue queue;
+  worked_off_.assign(arrivals_.size(), kNever);
   leave_source(problem_.source.u, source_, queue);
   for (std::size_t i = 0; i < how_.sources.size(); ++i)
     leave_source(how_.sources[i], more_sources_.col(static_cast<Index>(i)), queue);
@@ -143,14 +144,19 @@ void ArrivalField::leave_source(const Eigen::Vector2d& u, const Eigen::VectorXd&
 
 void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool()>& stop) {
   constexpr int kNodesPerLook = 256;
+  constexpr double kSlack = 1.05;  // beyond the target, where nodes may still become cheaper
   double least_at_target = kNever;
   for (int steps = 1; !queue.empty(); ++steps) {
     if (steps % kNodesPerLook == 0 && stop())
       throw Interrupted("eikonal: interrupted while the arrival costs were computed");
     const auto [c, node] = queue.pop();
     if (c > arrivals_[static_cast<std::size_t>(node)].cost) continue;
-    if (c > least_at_target) return;
-    if (isotropic() && !how_.whole) least_at_target = std::min(least_at_target, c + last_move(node));
+    if (c > least_at_target * (isotropic() ? 1 : kSlack)) return;
+    if ((isotropic() || is_carried()) && !how_.whole) least_at_target = std::min(least_at_target, c + last_move(node));
+    if (leaping) leap(node, queue);
+    double& worked = worked_off_[static_cast<std::size_t>(node)];
+    if (worked <= c) continue;  // what it leads to is known
+    worked = c;
     const std::array<std::int32_t, 3> at = lattice_.place(node);
     for (std::size_t k = 0; k < kRing.size(); ++k) {
       const std::int32_t i = at[0] + kRing[k][0], j = at[1] + kRing[k][1];
@@ -161,7 +167,6 @@ void ArrivalField::work_off(Queue& queue, bool leaping, const std::function<bool
       if (improve(neighbour, node, (k + kRing.size() / 2) % kRing.size()))
         queue.push(arrivals_[static_cast<std::size_t>(neighbour)].cost, neighbour);
     }
-    if (leaping) leap(node, queue);
   }
 }
 
@@ -201,11 +206,23 @@ bool ArrivalField::improve(std::int32_t node, std::int32_t by, std::size_t k) {
     const std::int32_t i = at[0] + di, j = at[1] + dj;
     const bool inside = i >= 0 && j >= 0 && i < lattice_.count[0] && j < lattice_.count[1];
     const std::int32_t other = inside ? lattice_.number({i, j, 0}) : by;
-    if (!node_moves_ || !try_triangle(node, by, other, k, turn, best)) try_edge({by, other}, x_.col(node), best);
+    if (node_moves_ && try_triangle(node, by, other, k, turn, best)) continue;
+    const double least = is_carried() ? least_move(node, by, other, k, turn) : 0;
+    if (least < best.cost) try_edge({by, other}, x_.col(node), best, kNever, least);
   }
   if (!(best.cost < before)) return false;
   arrival = best;
   return true;
+}
+
+/// What an exact move to a node from the edge between `by` and `other` costs at least, about; infinite where none is
+/// possible. An edge has many such moves, and most are impossible or too dear.
+double ArrivalField::least_move(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn) const {
+  constexpr double kLeast = 0.3;  // of the least line element of the three nodes
+  const NodeMoves& moves = *node_moves_;
+  const std::size_t first = turn > 0 ? k : k + kRing.size() - 1, toward = how_.reversed ? kRing.size() / 2 : 0;
+  const std::size_t edge = (first + toward) % kRing.size();
+  return kLeast * std::min({moves.least(node, edge), moves.least(by, edge), moves.least(other, edge)});
 }
 
 bool ArrivalField::try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn,
@@ -274,13 +291,14 @@ void ArrivalField::arrive_at_target() {
   for (const Edge& edge : edges_in(near_target)) try_edge(edge, target_, at_target_);
 }
 
-ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::VectorXd& x, double below) const {
+ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::VectorXd& x, double below,
+                                              double least) const {
   constexpr int kSamples = 8, kSections = 8;
   Arrival best;
   const auto look = [&](double t) {
     const Place place{edge.a, edge.b, t};
-    if (!(cost(place) < below)) return;
-    const double c = cost(place) + move(position(place), x);
+    if (!(cost(place) < below) || cost(place) + least >= best.cost) return;
+    const double c = cost(place) + move_from(place, x);
     if (c < best.cost) best = {c, place};
   };
   for (int k = 0; k <= kSamples; ++k) look(static_cast<double>(k) / kSamples);
@@ -293,16 +311,18 @@ ArrivalField::Arrival ArrivalField::over_edge(const Edge& edge, const Eigen::Vec
   return best;
 }
 
-void ArrivalField::try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below) const {
+void ArrivalField::try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below,
+                            double least) const {
   const auto take = [&](const Arrival& arrival) {
     if (arrival.cost < best.cost && moves_.clear(position(arrival.from), x, kNever)) best = arrival;
   };
   const bool both = edge.a != edge.b && known(edge.b);
-  if (!known(edge.a) || std::min(cost({edge.a, edge.a, 0}), both ? cost({edge.b, edge.b, 0}) : kNever) >= best.cost)
+  if (!known(edge.a) ||
+      std::min(cost({edge.a, edge.a, 0}), both ? cost({edge.b, edge.b, 0}) : kNever) + least >= best.cost)
     return;
-  if (both && clear(edge)) take(over_edge(edge, x, below));
+  if (both && clear(edge)) take(over_edge(edge, x, below, least));
   const Place node{edge.a, edge.a, 0};
-  if (cost(node) < below) take({cost(node) + move(position(node), x), node});
+  if (cost(node) < below) take({cost(node) + move_from(node, x), node});
 }
 
 bool ArrivalField::clear(const Edge& edge) const {
@@ -315,10 +335,22 @@ bool ArrivalField::clear(const Edge& edge) const {
 double ArrivalField::move(const Eigen::Ref<const Eigen::VectorXd>& a,
                           const Eigen::Ref<const Eigen::VectorXd>& b) const {
   if (moves_.euclidean()) return (b - a).norm();
-  if (how_.reversed)
-    ends_ << b, a;
-  else
-    ends_ << a, b;
+  ends_.col(how_.reversed ? 1 : 0) = a;
+  ends_.col(how_.reversed ? 0 : 1) = b;
+  return cost_of_ends();
+}
+
+/// Asked millions of times where a current carries moves: without a vector of its own.
+double ArrivalField::move_from(const Place& place, const Eigen::VectorXd& x) const {
+  if (moves_.euclidean()) return (x - position(place)).norm();
+  auto from = ends_.col(how_.reversed ? 1 : 0);
+  from = x_.col(place.a);
+  if (place.t > 0) from += place.t * (x_.col(place.b) - x_.col(place.a));
+  ends_.col(how_.reversed ? 0 : 1) = x;
+  return cost_of_ends();
+}
+
+double ArrivalField::cost_of_ends() const {
   double q = 0;
   problem_.cost->squared_costs({{ends_.data(), ends_.rows(), 2}, {}, false}, {&q, 1});
   return std::sqrt(q);

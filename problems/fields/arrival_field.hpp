@@ -103,13 +103,16 @@ class ArrivalField {
   void arrive_at_target();
   /// The cheapest move to x over one edge that obstacles let pass, where it is cheaper than `best`.
   /// `below`: what arriving at the place before x must cost less than, so that no way back goes in circles.
-  void try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below = kNever) const;
-  Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x, double below) const;
+  /// `least`: what the move costs at least.
+  void try_edge(const Edge& edge, const Eigen::VectorXd& x, Arrival& best, double below = kNever,
+                double least = 0) const;
+  Arrival over_edge(const Edge& edge, const Eigen::VectorXd& x, double below, double least) const;
   /// The same by the line elements at the nodes: into `node` from its neighbour `by`, number k of its ring, or over the
   /// edge from there to `other`, number k + turn. False where they do not know.
   /// `bend`: see sharpen().
   bool try_triangle(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn, Arrival& best,
                     double bend = 0) const;
+  double least_move(std::int32_t node, std::int32_t by, std::int32_t other, std::size_t k, int turn) const;
   void sharpen(const std::function<bool()>& stop);
   /// Whether its value has changed.
   bool sharpen_node(std::int32_t node, std::vector<Eigen::Vector2f>& gradients);
@@ -119,6 +122,9 @@ class ArrivalField {
   bool passes(const Place& from, std::int32_t node) const;
   bool clear(const Edge& edge) const;
   double move(const Eigen::Ref<const Eigen::VectorXd>& a, const Eigen::Ref<const Eigen::VectorXd>& b) const;
+
+  double move_from(const Place& place, const Eigen::VectorXd& x) const;
+  double cost_of_ends() const;
 
   Place before(const Place& place) const;
   Window around(const Eigen::Vector2d& u, int reach) const;
@@ -145,6 +151,7 @@ class ArrivalField {
   std::optional<NodeMoves> node_moves_;   ///< none: exact
   std::vector<unsigned char> doubtful_;   ///< per node: beside one that is blocked
   std::vector<Arrival> arrivals_;         ///< per node
+  std::vector<double> worked_off_;        ///< the same: its cost when moves from it were last looked at
   std::vector<std::pair<std::int32_t, Eigen::Vector2d>> starts_;  ///< nodes beside a source, and the move from it
   mutable std::vector<signed char> clear_;                        ///< per edge: 1 clear, 0 not, -1 not asked yet
   mutable Points ends_;                                           ///< of the move whose cost is asked

@@ -22,6 +22,7 @@
 #include "problems/fields/isotropic_march.hpp"
 #include "problems/fields/lattice_box.hpp"
 #include "problems/fields/node_moves.hpp"
+#include "problems/fields/without_cost.hpp"
 
 namespace leastcost {
 namespace {
@@ -155,8 +156,17 @@ class FieldMaker {
   const Monitor& monitor_;
 };
 
+/// At a place, or a step from it.
+std::string why_not_left(const Problem& problem, const Eigen::VectorXd& place, const Lattice2& lattice) {
+  std::string why = why_without_cost(problem, place);
+  for (std::size_t k = 0; why.empty() && k < kRing.size(); ++k)
+    why = why_without_cost(problem, place + lattice.step.cwiseProduct(Vector2d(kRing[k][0], kRing[k][1])));
+  return why;
+}
+
 /// Throws InputError for a place with no value near it.
-void check_left(const std::vector<Eigen::VectorXd>& places, const Lattice2& lattice, const CostField& field) {
+void check_left(const Problem& problem, const std::vector<Eigen::VectorXd>& places, const Lattice2& lattice,
+                const CostField& field) {
   constexpr double kNear = 3;  // steps
   for (const Eigen::VectorXd& place : places) {
     const Vector2d at = (Vector2d(place) - lattice.lower).cwiseQuotient(lattice.step);
@@ -167,9 +177,11 @@ void check_left(const std::vector<Eigen::VectorXd>& places, const Lattice2& latt
         if (x < 0 || y < 0 || x >= lattice.count[0] || y >= lattice.count[1]) continue;
         left = left || std::isfinite(field.value(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)));
       }
-    if (!left)
-      throw InputError("field: no path leaves the place " + coordinates_in_words(place) +
-                       ": it has no data, obstacles enclose it, or the steps of the lattice are too long");
+    if (left) continue;
+    const std::string why = why_not_left(problem, place, lattice);
+    throw InputError(
+        "field: no path leaves the place " + coordinates_in_words(place) + ": " +
+        (!why.empty() ? why : "it has no data, obstacles enclose it, or the steps of the lattice are too long"));
   }
 }
 
@@ -194,7 +206,7 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   const std::optional<RasterPlaces> raster = raster_places_of(*problem.cost);
   const LatticeBox box = field_box(problem, raster);
   check_places(places, box);
-  const Lattice2 lattice = field_lattice(box, raster, options.resolution);
+  const Lattice2 lattice = field_lattice(box, raster, options.resolution, options.equal_steps);
   const Lattice2 half = every_second(lattice);
   const bool estimates = options.estimate_error && std::min(half.count[0], half.count[1]) >= 2;
   CostField field;
@@ -207,7 +219,12 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   const std::optional<std::vector<double>> densities = densities_of(problem, lattice);
   field.method = densities ? "isotropic march" : "arrival field";
   field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
-  check_left(places, lattice, field);
+  check_left(problem, places, lattice, field);
+  if (!raster)  // whose cells without data are known
+    field.without_cost = why_some_without_cost(problem, field.values, [&lattice](std::size_t node) -> Eigen::VectorXd {
+      const auto number = static_cast<std::int32_t>(node);
+      return lattice.place(number % lattice.count[0], number / lattice.count[0]);
+    });
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
   const bool smooth = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
   const double factor = smooth ? kOfDensities : kFirstOrder;

@@ -37,6 +37,9 @@ struct CostField {
   /// the bend where their fronts meet. NaN where it was not asked for or there are too few nodes. Cost units.
   double error = std::numeric_limits<double>::quiet_NaN();
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< see `error`
+  /// Why some nodes have no value that no obstacle keeps out: their cost is not positive or not finite. In words, with
+  /// one of the places; empty where there are none.
+  std::string without_cost;
   std::size_t unresolved = 0;  ///< nodes that only the finer of the two fields reaches: passages of one or two cells
 
   /// The coordinates of node (i, j).
@@ -51,9 +54,10 @@ struct CostField {
 
 /// How a field is computed.
 struct CostFieldOptions {
-  /// From node to node, length units. None: a node on every value (or cell) of a raster of costs; elsewhere a 200th of
-  /// the longest side.
+  /// From node to node, length units, at most: the box is covered to its edges. None: a node on every value (or cell)
+  /// of a raster of costs; elsewhere a 200th of the longest side.
   std::optional<double> resolution = {};
+  bool equal_steps = false;    ///< along x and y, even if a strip at the upper edges has no nodes then
   bool to_places = false;      ///< the costs of ways to the places, not from them
   bool estimate_error = true;  ///< takes a quarter longer, with a cost that depends on direction too
 };

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/energy/path_energy.hpp>
@@ -56,6 +57,28 @@ std::vector<Vector2d> way_by_arrivals(const CostField& field, const Problem& pro
   return best;
 }
 
+double cost_or_infinite(const Problem& problem, const std::vector<Vector2d>& way) {
+  return way.empty() ? kImpossible : cost_of_way(problem, way);
+}
+
+/// Where a current leaves few directions, a move whose middle can be crossed may not be possible in pieces: the
+/// cheapest of ways on finer and finer lattices, or `way`.
+std::vector<Vector2d> way_in_current(const CostField& field, const Problem& problem, const Vector2d& place,
+                                     std::vector<Vector2d> way) {
+  constexpr std::size_t kMostNodes = 600'000;  // of which carried ones take 0.01 ms each
+  constexpr int kWays = 2;                     // one alone may be far from the best
+  int found = 0;
+  for (const std::int32_t finer : {1, 2, 4}) {
+    const std::size_t nodes = std::size_t(finer) * std::size_t(finer) * field.values.size();
+    if (found == kWays || (finer > 1 && nodes > kMostNodes)) break;
+    std::vector<Vector2d> other = way_by_arrivals(field, problem, place, finer);
+    const double cost = cost_or_infinite(problem, other);
+    if (cost < kImpossible) ++found;
+    if (way.empty() || cost < cost_or_infinite(problem, way)) way = std::move(other);
+  }
+  return way;
+}
+
 }  // namespace
 
 std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, const Vector2d& place) {
@@ -69,12 +92,7 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
                      in_words(place) + ": it has no data, or obstacles or places without data lie between");
   std::vector<Vector2d> way = steepest_way(field, problem, place);
   if (!field.to_places) std::reverse(way.begin(), way.end());
-  // Where a current leaves few directions, a move whose middle can be crossed may not be possible in pieces.
-  const auto possible = [&] { return !way.empty() && cost_of_way(problem, way) < kImpossible; };
-  constexpr std::size_t kMostNodes = 200'000;  // of which carried ones take 0.1 ms each
-  for (const std::int32_t finer : {1, 2, 4})
-    if (!possible() && (finer == 1 || std::size_t(finer) * std::size_t(finer) * field.values.size() < kMostNodes))
-      way = way_by_arrivals(field, problem, place, finer);
+  if (!(cost_or_infinite(problem, way) < kImpossible)) way = way_in_current(field, problem, place, std::move(way));
   if (way.empty())
     throw InputError("field: the way " + std::string(field.to_places ? "from" : "to") + " the place " +
                      in_words(place) + " is lost between the nodes: use a smaller resolution");

@@ -58,6 +58,13 @@ void check_extent(const LatticeBox& box) {
                    (size.maxCoeff() < kMost ? " has no extent" : " is too large"));
 }
 
+double cells_to_edge(double side, double& step) {
+  constexpr double kRounding = 1e-6;  // a side of 8 steps has 8 of them
+  const double cells = std::max(1.0, std::ceil(side / step - kRounding));
+  if (std::abs(cells * step - side) > kRounding * side) step = side / cells;
+  return cells;
+}
+
 void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size) {
   constexpr double kRounding = 1e-6;
   if (!resolution) return;
@@ -70,7 +77,7 @@ void check_resolution(const std::optional<double>& resolution, const Eigen::Vect
 }
 
 IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
-                                      const std::optional<double>& resolution) {
+                                      const std::optional<double>& resolution, bool equal_steps) {
   constexpr double kCells = 200, kRounding = 1e-6;
   constexpr double kMostFieldNodes = 5e7;  // 24 bytes each while the front runs
   IsotropicMarch::Lattice lattice{};
@@ -87,8 +94,8 @@ IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional
       lattice.step[k] = cell;
       cells = std::floor((std::min(box.upper[k], raster->last[k]) - lattice.lower[k]) / cell + kRounding);
     } else {
-      const double step = resolution ? *resolution : std::min(size.maxCoeff() / kCells, size[k] / kFewestCells);
-      cells = std::floor(size[k] / step + kRounding);
+      double step = resolution ? *resolution : std::min(size.maxCoeff() / kCells, size[k] / kFewestCells);
+      cells = equal_steps ? std::floor(size[k] / step + kRounding) : cells_to_edge(size[k], step);
       lattice.lower[k] = box.lower[k];
       lattice.step[k] = step;
     }

@@ -33,9 +33,12 @@ void check_extent(const LatticeBox& box);
 /// Throws OptionError ("resolution") for one that is no length, or too long for a box of this size.
 void check_resolution(const std::optional<double>& resolution, const Eigen::VectorXd& size);
 
-/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it on.
-/// Throws InputError, OptionError ("resolution").
+/// So many steps cover a side to its end; the step becomes as much shorter as it must.
+double cells_to_edge(double side, double& step);
+
+/// On the values of a raster inside the box; with a resolution, or without a raster, from the lower corner of it to the
+/// upper one. `equal_steps`: see CostFieldOptions. Throws InputError, OptionError ("resolution").
 IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional<RasterPlaces>& raster,
-                                      const std::optional<double>& resolution);
+                                      const std::optional<double>& resolution, bool equal_steps);
 
 }  // namespace leastcost

@@ -8,6 +8,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include "framework/base/counted.hpp"
 
 namespace leastcost {
 
@@ -17,8 +18,8 @@ LatticeBox LatticeBox::of(const Problem& problem, const std::optional<Eigen::Vec
   const auto* domain = find_ability<HasBox>(*problem.manifold);
   const auto side = [&](const std::optional<Eigen::VectorXd>& stated, const Eigen::VectorXd* own, const char* key) {
     if (stated && stated->size() != a.size())
-      throw OptionError(key, "has " + std::to_string(stated->size()) + " coordinates, but the domain has " +
-                                 std::to_string(a.size()));
+      throw OptionError(
+          key, "has " + counted(stated->size(), "coordinate") + ", but the domain has " + std::to_string(a.size()));
     if (stated && !stated->allFinite()) throw OptionError(key, "must be finite");
     if (stated) return *stated;
     return own != nullptr && own->size() > 0 ? *own : Eigen::VectorXd::Constant(a.size(), std::nan("")).eval();

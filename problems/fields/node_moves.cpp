@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
@@ -100,6 +101,7 @@ void NodeMoves::ask_all_elements(const Problem& problem, const Eigen::Matrix2Xd&
   const Points places = cost.places(u);
   CoordinateCost::Element element(cost);
   tables_.resize(blocked_.size() * directions());
+  least_.assign(blocked_.size() * kRing.size(), std::numeric_limits<float>::infinity());
   for (Eigen::Index i = 0; i < u.cols(); ++i) {
     const auto node = static_cast<std::size_t>(i);
     element.move_to(places.middleCols<3>(3 * i));
@@ -110,6 +112,11 @@ void NodeMoves::ask_all_elements(const Problem& problem, const Eigen::Matrix2Xd&
         static_cast<std::size_t>(std::count_if(table, table + directions(), [](float c) { return std::isfinite(c); }));
     blocked_[node] = possible > 0 ? 0 : 1;
     any_carried_ = any_carried_ || (possible > 0 && possible < directions());
+    for (std::size_t k = 0; k < kRing.size(); ++k) {
+      float& least = least_[node * kRing.size() + k];
+      for (std::size_t part = 0; part < parts_ + 3; ++part)
+        least = std::min(least, table[(parts_ * k + part + directions() - 1) % directions()]);
+    }
   }
 }
 

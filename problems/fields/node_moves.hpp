@@ -37,6 +37,11 @@ class NodeMoves {
   }
   /// The cost of a unit of length is the same in all directions: the order of arrivals is then that of their costs.
   bool isotropic() const { return !scales_.empty(); }
+  /// The least cost of the directions between neighbour k of the ring and the next, and of one beside them at each end,
+  /// of a cost that is asked in every direction; infinite where there is none.
+  double least(std::int32_t node, std::size_t k) const {
+    return static_cast<double>(least_[static_cast<std::size_t>(node) * kRing.size() + k]);
+  }
   /// No move leads there.
   bool blocked(std::int32_t node) const { return blocked_[static_cast<std::size_t>(node)] != 0; }
   void block(std::int32_t node) { blocked_[static_cast<std::size_t>(node)] = 1; }
@@ -59,6 +64,7 @@ class NodeMoves {
   std::vector<double> lengths_;
   std::vector<double> scales_;  ///< cost of a unit of length, where it is the same in all directions
   std::vector<float> tables_;   ///< of other costs: the directions of a node after those of the one before
+  std::vector<float> least_;    ///< of costs that are asked in every direction: see least()
   std::vector<unsigned char> blocked_;
   bool any_blocked_ = false, any_carried_ = false;
 };

@@ -18,6 +18,7 @@
 #include "problems/fields/grid_search.hpp"
 #include "problems/fields/space_march.hpp"
 #include "problems/fields/tightened_way.hpp"
+#include "problems/fields/without_cost.hpp"
 
 namespace leastcost {
 namespace {
@@ -63,7 +64,7 @@ Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& re
   for (std::size_t d = 0; d < 3; ++d) {
     const auto axis = static_cast<Eigen::Index>(d);
     lattice.step[axis] = resolution ? *resolution : std::min(size.maxCoeff() / kCells, size[axis] / kFewestCells);
-    const double cells = std::min(std::floor(size[axis] / lattice.step[axis] + 1e-6), kMostSpaceNodes);
+    const double cells = std::min(cells_to_edge(size[axis], lattice.step[axis]), kMostSpaceNodes);
     lattice.count[d] = static_cast<std::int32_t>(cells) + 1;
     nodes *= cells + 1;
   }
@@ -134,14 +135,17 @@ void for_nodes_near(const SpaceField& field, const Vector3d& x, double reach, co
       for (std::int32_t i = low[0]; i <= high[0]; ++i) f(field.node(i, j, k), field.value(i, j, k));
 }
 
-void check_left_in_space(const SpaceField& field) {
+void check_left_in_space(const Problem& problem, const SpaceField& field) {
   constexpr double kNear = 3;  // steps
   for (const Eigen::VectorXd& place : field.places) {
     bool left = false;
     for_nodes_near(field, place, kNear, [&](const Vector3d&, double value) { left = left || std::isfinite(value); });
-    if (!left)
-      throw InputError("field: no path leaves the place " + point_text(place) +
-                       ": obstacles enclose it, or the steps of the lattice are too long");
+    if (left) continue;
+    std::string why = why_without_cost(problem, place);
+    for (Eigen::Index k = 0; why.empty() && k < 6; ++k)
+      why = why_without_cost(problem, place + (k < 3 ? 1 : -1) * field.step[k % 3] * Vector3d::Unit(k % 3));
+    throw InputError("field: no path leaves the place " + point_text(place) + ": " +
+                     (!why.empty() ? why : "obstacles enclose it, or the steps of the lattice are too long"));
   }
 }
 
@@ -196,7 +200,12 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
   field.to_places = options.to_places;
   const std::vector<double> densities = densities_in_space(problem, lattice);
   field.values = marched_in_space(problem, places, lattice, densities, monitor);
-  check_left_in_space(field);
+  check_left_in_space(problem, field);
+  field.without_cost = why_some_without_cost(problem, field.values, [&lattice](std::size_t node) -> Eigen::VectorXd {
+    const auto number = static_cast<std::int32_t>(node);
+    const std::int32_t row = number / lattice.count[0];
+    return lattice.place(number % lattice.count[0], row % lattice.count[1], row / lattice.count[1]);
+  });
   if (options.estimate_error) {
     const std::vector<double> coarse = marched_in_space(problem, places, every_second_in_space(lattice),
                                                         every_second_in_space(densities, lattice), monitor);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include <leastcost/eigen_alignment.hpp>
@@ -28,6 +29,7 @@ struct SpaceField {
   double error = std::numeric_limits<double>::quiet_NaN();       ///< as CostField::error
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< as CostField::mean_error
   std::size_t unresolved = 0;                                    ///< as CostField::unresolved
+  std::string without_cost;                                      ///< as CostField::without_cost
 
   /// The coordinates of node (i, j, k).
   Eigen::Vector3d node(std::int32_t i, std::int32_t j, std::int32_t k) const {

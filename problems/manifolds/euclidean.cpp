@@ -31,8 +31,18 @@ const BoxOptions& checked(const BoxOptions& box, int dimension) {
 
 }  // namespace
 
+EuclideanManifoldOptions EuclideanManifoldOptions::of(BoxOptions box) {
+  EuclideanManifoldOptions options;
+  if (const auto& side = box.lower ? box.lower : box.upper) options.dimension = static_cast<int>(side->size());
+  options.box = std::move(box);
+  return options;
+}
+
 void EuclideanManifoldOptions::fields(FieldVisitor& visit) {
-  visit.field("dimension", dimension, {.help = "Dimension d of R^d.", .minimum = 1, .maximum = kMaxDimension});
+  visit.field("dimension", dimension,
+              {.help = "Dimension d of R^d; not needed if lower or upper is given as a list.",
+               .minimum = 1,
+               .maximum = kMaxDimension});
   box.fields(visit);
 }
 

@@ -16,6 +16,8 @@ namespace leastcost {
 struct EuclideanManifoldOptions {
   int dimension = 2;
   BoxOptions box = {};  ///< where points may be
+  /// Of the dimension that a box has; without a side, the plane.
+  static EuclideanManifoldOptions of(BoxOptions box);
   void fields(FieldVisitor& visit);
 };
 

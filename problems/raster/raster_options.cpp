@@ -8,10 +8,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/raster/fill_values.hpp"
 
 namespace leastcost {
 namespace {
@@ -58,32 +60,6 @@ std::string digits(double value) {
                                   ", " + why + "; if it marks missing data, set nodata: " + raw);
 }
 
-/// The least and the greatest value, and those next to them.
-struct Extremes {
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  double least = kInfinity, greatest = -kInfinity, second_least = kInfinity, second_greatest = -kInfinity;
-};
-
-Extremes extremes_of(const std::vector<double>& values) {
-  Extremes e;
-  for (const double value : values) {
-    if (std::isnan(value)) continue;
-    if (value < e.least) {
-      e.second_least = e.least;
-      e.least = value;
-    } else if (value > e.least && value < e.second_least) {
-      e.second_least = value;
-    }
-    if (value > e.greatest) {
-      e.second_greatest = e.greatest;
-      e.greatest = value;
-    } else if (value < e.greatest && value > e.second_greatest) {
-      e.second_greatest = value;
-    }
-  }
-  return e;
-}
-
 /// No height and no cost is so large; such values are how programs fill cells without data.
 void check_magnitude(const RasterGrid& raster, const RasterOptions& options) {
   constexpr double kFill = 1e30;
@@ -100,7 +76,7 @@ bool may_be_in_degrees(const RasterGrid& raster, const RasterOptions& options) {
 }  // namespace
 
 void check_heights(const RasterGrid& raster, const RasterOptions& options) {
-  const Extremes e = extremes_of(raster.values);
+  const RasterExtremes e = extremes_of(raster);
   const double wide = raster.cell.cwiseProduct(Eigen::Vector2d(raster.columns, raster.rows)).norm();
   constexpr double kSteep = 10;  // times as high as wide
   if (may_be_in_degrees(raster, options) && e.second_greatest - e.second_least > kSteep * wide)
@@ -109,17 +85,23 @@ void check_heights(const RasterGrid& raster, const RasterOptions& options) {
                                      " across; if its cells are in degrees of longitude and latitude, set degrees: "
                                      "true; if not, give their side lengths (cell)");
   if (options.nodata) return;
-  const std::string why = " from the next one, more than the width of the raster (" + digits(wide) + ")";
-  if (std::isfinite(e.second_least) && e.second_least - e.least > wide)
-    refuse_fill(raster, e.least, options, "a height " + digits(e.second_least - e.least) + why);
-  if (std::isfinite(e.second_greatest) && e.greatest - e.second_greatest > wide)
-    refuse_fill(raster, e.greatest, options, "a height " + digits(e.greatest - e.second_greatest) + why);
+  const double range_above = e.greatest - e.second_least, range_below = e.second_greatest - e.least;
+  for (const auto& [value, next, range] :
+       {std::tuple(e.least, e.second_least, range_above), std::tuple(e.greatest, e.second_greatest, range_below)}) {
+    const std::string apart = "a height " + digits(std::abs(value - next)) + " from the next one";
+    if (is_usual_fill(value / options.value_scale) && is_far_from_others(value, next, range))
+      refuse_fill(raster, value, options, apart + ", as programs write it where there is no height");
+    if (std::isfinite(next) && std::abs(value - next) > kSteep * wide)
+      refuse_fill(raster, value, options,
+                  apart + ", more than " + digits(kSteep) + " times the width of the raster (" + digits(wide) + ")");
+  }
 }
 
-void check_slopes(const RasterGrid& raster, const RasterOptions& options) {
+std::string check_slopes(const RasterGrid& raster, const RasterOptions& options) {
   constexpr double kSteepGround = 10, kSteepOfStatedCells = 50;  // no ground has a median of 5
   constexpr double kSomeSlopes = 0.25;                           // of all: walls on level ground are no slopes
-  if (may_be_in_degrees(raster, options)) return;                // check_heights() says so
+  constexpr double kUnlikely = 1.2;                              // along an axis; the slope itself is 60 degrees then
+  if (may_be_in_degrees(raster, options)) return "";             // check_heights() says so
   std::vector<double> slopes;
   slopes.reserve(2 * raster.values.size());
 
@@ -137,10 +119,14 @@ void check_slopes(const RasterGrid& raster, const RasterOptions& options) {
       if (column + 1 < raster.columns) add(here, raster.values[raster.index(row, column + 1)], raster.cell[0]);
       if (row + 1 < raster.rows) add(here, raster.values[raster.index(row + 1, column)], raster.cell[1]);
     }
-  if (slopes.empty() || double(slopes.size()) < kSomeSlopes * double(slopes.size() + level)) return;
+  if (slopes.empty() || double(slopes.size()) < kSomeSlopes * double(slopes.size() + level)) return "";
   const auto middle = slopes.begin() + std::ptrdiff_t(slopes.size() / 2);
   std::nth_element(slopes.begin(), middle, slopes.end());
-  if (!(*middle > (options.cell ? kSteepOfStatedCells : kSteepGround))) return;
+  if (!(*middle > kUnlikely)) return "";
+  if (!(*middle > (options.cell ? kSteepOfStatedCells : kSteepGround)))
+    return raster.source + ": most of the terrain is steeper than 60 degrees: half of the differences between " +
+           "neighbouring heights exceed " + short_number(*middle, 3) + " times the side of a cell. If heights have " +
+           "another unit than cells, set value_scale (0.01 if heights are in centimetres, 0.3048 if in feet)";
   throw OptionError("value_scale", raster.source + ": half of the slopes are steeper than " + short_number(*middle, 3) +
                                        " to 1: are heights in metres, as cells are? Set value_scale (0.001 if heights "
                                        "are in millimetres), the side of a cell (cell), or degrees: true if cells are "
@@ -184,16 +170,21 @@ void check(const RasterOptions& o) {
     throw OptionError("value_scale", "must be a finite number other than 0");
 }
 
-RasterGrid placed(RasterFile file, const RasterOptions& options) {
+RasterGrid placed(RasterFile file, const RasterOptions& options, std::string* note) {
   check(options);
   RasterGrid raster = std::move(file.raster);
   if (options.cell) raster.cell = {(*options.cell)[0], (*options.cell)[options.cell->size() - 1]};
   if (options.origin) raster.corner = *options.origin;
   const std::optional<double> nodata = options.nodata ? options.nodata : file.nodata;
-  bool any = false;
-  for (double& value : raster.values) {
+  for (double& value : raster.values)
     if ((nodata && is_nodata(value, *nodata)) || !std::isfinite(value))
       value = std::numeric_limits<double>::quiet_NaN();
+  if (!options.nodata) {
+    const std::string fill = take_fill_values(raster);
+    if (note != nullptr && !fill.empty()) *note = fill;
+  }
+  bool any = false;
+  for (double& value : raster.values) {
     value *= options.value_scale;
     any = any || std::isfinite(value);
   }

@@ -35,18 +35,20 @@ struct RasterFile {
   std::optional<Affine> turned = {};  ///< where the sides are not along the axes; cell and corner then say nothing
 };
 
-/// The raster of a file, placed and scaled by the options. Throws OptionError, InputError where there are no data.
-RasterGrid placed(RasterFile file, const RasterOptions& options);
+/// The raster of a file, placed and scaled by the options. Usual fill values that nobody declared, -9999 in many cells
+/// say, become "no data", and `note` says so. Throws OptionError, InputError where there are no data.
+RasterGrid placed(RasterFile file, const RasterOptions& options, std::string* note = nullptr);
 
-/// Heights that cannot be: a least or greatest value that is farther from the next one than the raster is wide is a
-/// fill value that nobody declared, and heights of hundreds over cells of a fraction are over degrees. Throws
-/// OptionError
-/// ("nodata" or "degrees"), unless `nodata`, or `cell`, is given.
+/// Heights that cannot be: a least or greatest value is a fill value that nobody declared if programs use it as one and
+/// it is far from the others, or if it is farther from the next one than ten times the width of the raster; and heights
+/// of hundreds over cells of a fraction are over degrees. Throws OptionError ("nodata" or "degrees"), unless `nodata`,
+/// or `cell`, is given.
 void check_heights(const RasterGrid& raster, const RasterOptions& options);
 
 /// Ground that is steeper in the median than any on Earth is in two units: heights in millimetres over cells in metres.
 /// Throws OptionError ("value_scale") above a slope of 10, or of 50 where `cell` is given. Level parts do not count,
-/// and ground of which they are more than three quarters is taken as it is.
-void check_slopes(const RasterGrid& raster, const RasterOptions& options);
+/// and ground of which they are more than three quarters is taken as it is. Returns a note where most of it is steeper
+/// than 60 degrees, as of heights in centimetres; else nothing.
+std::string check_slopes(const RasterGrid& raster, const RasterOptions& options);
 
 }  // namespace leastcost

@@ -87,10 +87,10 @@ std::string note_of(const RasterGrid& file, const RasterFile::Affine& to_place, 
 }  // namespace
 
 RasterGrid placed_upright(RasterFile file, const RasterOptions& options, Resampling resampling, std::string& note) {
-  if (!file.turned) return placed(std::move(file), options);
+  if (!file.turned) return placed(std::move(file), options, &note);
   const RasterFile::Affine to_place = *std::exchange(file.turned, std::nullopt);
   const Matrix2d sides = to_place.leftCols<2>();
-  if (options.cell && options.origin) return placed(std::move(file), options);
+  if (options.cell && options.origin) return placed(std::move(file), options, &note);
   if (options.cell || options.origin)
     throw OptionError(options.cell ? "cell" : "origin",
                       file.raster.source + " is rotated: give both cell and origin, or neither");
@@ -98,7 +98,8 @@ RasterGrid placed_upright(RasterFile file, const RasterOptions& options, Resampl
   file.raster.cell << sides.col(0).norm(), sides.col(1).norm();
   const Vector2d half(0.5 * file.raster.columns, 0.5 * file.raster.rows);
   file.raster.corner = to_place.col(2) + sides * half - file.raster.cell.cwiseProduct(half);
-  const RasterGrid read = placed(std::move(file), options);
+  std::string fill;
+  const RasterGrid read = placed(std::move(file), options, &fill);
   if (resampling == Resampling::bilinear) check_heights(read, options);
 
   RasterGrid out = upright_grid(read, to_place);
@@ -110,7 +111,7 @@ RasterGrid placed_upright(RasterFile file, const RasterOptions& options, Resampl
       out.values[out.index(row, column)] =
           resampling == Resampling::nearest ? nearest_value(read, index) : bilinear_value(read, index);
     }
-  note = note_of(read, to_place, out, resampling);
+  note = (fill.empty() ? "" : fill + "; ") + note_of(read, to_place, out, resampling);
   RasterOptions rest = options;  // the values are read and scaled
   rest.nodata.reset();
   rest.value_scale = 1;

@@ -160,8 +160,10 @@ void check_heights_of_field(const RasterGrid& heights) {
       std::find_if(heights.values.begin(), heights.values.end(), [](double z) { return !std::isfinite(z); });
   if (missing == heights.values.end()) return;
   const auto at = static_cast<int>(missing - heights.values.begin());
-  throw InputError(heights.name_of(at / heights.columns, at % heights.columns) +
-                   " has no height; a height field has no gaps: fill them, or cut out a part without any");
+  throw InputError(
+      heights.name_of(at / heights.columns, at % heights.columns) +
+      " has no height, or one that programs write where there is none, like -9999; a height field has no gaps: "
+      "fill them, or cut out a part without any");
 }
 
 }  // namespace

@@ -160,10 +160,16 @@ class _Reader:
 def _reads_cells(config: Mapping[str, Any], set: Mapping[str, Any]) -> bool:
     """What interpolation="auto" of a cost map means: the rule of configurations (docs/domains.md)."""
     domain, path = config.get("manifold"), config.get("path")
-    plane = isinstance(domain, Mapping) and domain.get("type") == "euclidean" and domain.get("dimension") == 2
+    plane = isinstance(domain, Mapping) and domain.get("type") == "euclidean" and _dimension_of(domain) == 2
     ring = isinstance(path, Mapping) and bool(path.get("ring"))
     asked = {key.split(".")[0] for key in (*config, *set)}
     return plane and not ring and not asked & {"obstacles", "robot", "clearance", "solver", "post_process"}
+
+
+def _dimension_of(space: Mapping[str, Any]) -> Any:
+    """Without the key it is that of the box, else 2."""
+    sides = [side for key in ("lower", "upper") if np.ndim(side := space.get(key)) == 1]
+    return space.get("dimension", len(sides[0]) if sides else 2)
 
 
 def _external(value: Object, name: str, cells: bool) -> _leastcost.External:

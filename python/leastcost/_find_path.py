@@ -127,7 +127,7 @@ def _end(place: Any, name: str, domain: Domain) -> Mapping[str, Any]:
         raise InputError(f"{name} must be a point: real numbers of shape (d,), not {place!r}")
     wanted = _coordinates(domain)
     if wanted is not None and len(x) != wanted:
-        raise InputError(f"{name} has {len(x)} coordinates; points of {domain!r} have {wanted}")
+        raise InputError(f"{name} has {len(x)} coordinate{'s' * (len(x) != 1)}; points of {domain!r} have {wanted}")
     if isinstance(domain, Mesh):
         return {"point": x, "tolerance": FAR}
     return {"point": x}

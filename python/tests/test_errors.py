@@ -61,3 +61,10 @@ def test_what_no_configuration_is(wrong):
 def test_all_errors_have_one_root():
     for error in (lc.ConfigError, lc.InputError, lc.NoPathError, lc.OutputError, lc.TimeLimitError):
         assert issubclass(error, lc.Error)
+
+
+def test_an_option_is_named_once():
+    with pytest.raises(lc.ConfigError) as caught:
+        lc.run({"manifold": {"type": "euclidean", "dimension": 2}, "path": {"points": "many"}, "clearance": -1})
+    assert "config['path']['points']: error: must be a whole number" in str(caught.value)
+    assert "config['clearance']: error: must be at least 0" in str(caught.value)

@@ -141,7 +141,7 @@ def test_files(tmp_path, configs):
         (lambda: lc.field(lc.Plane(), (1, 1)), "has no box"),
         (lambda: lc.field(BOX), "source is missing"),
         (lambda: lc.field(BOX, []), "source has no places"),
-        (lambda: lc.field(BOX, (9, 9)), "coordinate 0 is 9"),
+        (lambda: lc.field(BOX, (9, 9)), "must have x between 0 and 4"),
         (lambda: lc.field(BOX, (np.nan, 1)), "finite numbers"),
         (lambda: lc.field(lc.Plane(), (1, 1, 1), to=(2, 2)), r"it is a point \(x, y\)"),
         (lambda: lc.field(BOX, (1, 1), resolution=-1), "resolution"),
@@ -246,3 +246,17 @@ def test_a_field_in_space(tmp_path):
     assert np.array_equal(np.load(tmp_path / "f.npy"), field.values, equal_nan=True)
     with pytest.raises(lc.InputError, match="save it as .vti"):
         field.plot()
+
+
+def test_a_fault_is_said_of_the_place_that_has_it():
+    with pytest.raises(lc.InputError, match=r"^source\[1\]=\(2,\) must have 2 coordinates \(x, y; found 1\)"):
+        lc.field(BOX, [(1, 1), (2,)])
+    with pytest.raises(lc.InputError, match=r"^source\[1\]=.* must have y between 0 and 2 \(found 9\)"):
+        lc.field(BOX, [(1, 1), (2, 9), (3, 1)])
+
+
+def test_a_space_has_as_many_dimensions_as_its_box():
+    room = lc.manifold.euclidean(lower=[0, 0, 0], upper=[1, 1, 1])
+    field = lc.field(room, (0, 0, 0), resolution=0.25)
+    assert field.values.shape == (5, 5, 5)
+    assert field.values[-1, -1, -1] == pytest.approx(np.sqrt(3), rel=1e-3)

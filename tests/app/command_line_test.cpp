@@ -151,6 +151,29 @@ TEST_CASE("command line: validate") {
   CHECK(missing.out == good + ": valid\n");
 }
 
+TEST_CASE("command line: validate says which files it did not read and which are missing") {
+  const ScratchDir dir;
+  write_text(dir / "dem.asc", "no raster at all\n");
+  const std::string ends = "ends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n",
+                    there = write_text(dir / "there.yaml", "manifold: {type: terrain, file: dem.asc}\n" + ends),
+                    gone = write_text(dir / "gone.yaml", "manifold: {type: terrain, file: gone.asc}\n" + ends);
+  CHECK(call({"validate", there}).out ==
+        there + ": valid\n  not checked: the contents of dem.asc; leastcost run reads it\n");
+  const Json report = Json::parse(call({"validate", there, "--format", "json"}).out);
+  CHECK(report["files"][0]["not_checked"][0] == "dem.asc");
+  const Called missing = call({"validate", gone});
+  CHECK(missing.exit == 3);
+  CHECK_THAT(missing.err, Contains("gone.yaml:1:33: error: ") && Contains("gone.asc: no such file"));
+}
+
+TEST_CASE("command line: exit codes are in the help of every command") {
+  for (const char* command : {"run", "field", "study", "validate", "doctor", "figure"}) {
+    const std::string help = call({command, "--help"}).out;
+    CHECK_THAT(help, Contains("Exit codes: 0 certified"));
+    CHECK(help.find("Exit codes: 0 certified") == help.rfind("Exit codes: 0 certified"));
+  }
+}
+
 TEST_CASE("command line: list and describe, singular and plural") {
   CHECK_THAT(call({"list"}).out, Contains("expm1_square") && Contains("dijkstra") && Contains("formats"));
   CHECK(call({"list", "kernels"}).out == call({"list", "kernel"}).out);

@@ -16,6 +16,41 @@ namespace leastcost::test {
 
 using Catch::Contains;
 
+TEST_CASE("config errors: a number with point or exponent is told from a whole number in digits") {
+  for (const char* number : {"1e12", "64.0", "1e2"})
+    CHECK_THAT(errors_of(kPlane + "seed: " + number + "\n"),
+               Contains("'seed' must be a whole number in digits, without point and exponent (found '" +
+                        std::string(number) + "')"));
+}
+
+TEST_CASE("config: a torus that crosses itself gets a note") {
+  const auto notes = [](const std::string& minor) {
+    const Run run =
+        parse_run("manifold: {type: parametric, surface: {type: torus, major_radius: 1, minor_radius: " + minor +
+                      "}}\ncost: euclidean\nends: {source: {point: [0, 0]}, target: {point: [1, 1]}}\n",
+                  "a.yaml");
+    std::string all;
+    for (const std::string& note : run.parts.notes) all += note + "\n";
+    return all;
+  };
+  CHECK_THAT(notes("2"),
+             Contains("the torus crosses itself, because minor_radius (2) is larger than major_radius (1)"));
+  CHECK_THAT(notes("0.5"), !Contains("crosses itself"));
+}
+
+TEST_CASE("config: a space has as many dimensions as its box") {
+  const std::string ends = "\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 1, 1]}}\n";
+  for (const char* sides : {"lower: [0, 0, 0], upper: [1, 1, 1]", "lower: [0, 0, 0]", "upper: [1, 1, 1]"}) {
+    const std::string text = "manifold: {type: euclidean, " + std::string(sides) + "}" + ends;
+    CHECK(errors_of(text) == "");
+    CHECK_THAT(resolved_yaml(parse(text).config), Contains("dimension: 3"));
+  }
+  CHECK_THAT(errors_of("manifold: {type: euclidean, lower: [0, 0, 0], upper: [1, 1]}" + ends),
+             Contains("'upper' in manifold: 2 numbers, but the space has dimension 3"));
+  CHECK_THAT(errors_of("manifold: {type: euclidean, dimension: 2, lower: [0, 0, 0]}" + ends),
+             Contains("'lower' in manifold: 3 numbers, but the space has dimension 2"));
+}
+
 TEST_CASE("config errors: a good configuration has none") { CHECK(errors_of(kPlane) == ""); }
 
 TEST_CASE("config errors: unknown key, with place, line, underline and the key that was meant") {
@@ -89,7 +124,8 @@ TEST_CASE("config errors: numbers that YAML would have bent") {
   CHECK(points("+64") == "");
   CHECK_THAT(points("010"), Contains("must be a whole number or auto (found '010')"));
   CHECK_THAT(points("0x40"), Contains("must be a whole number or auto (found '0x40')"));
-  CHECK_THAT(points("64.0"), Contains("must be a whole number or auto (found '64.0')"));
+  CHECK_THAT(points("64.0"),
+             Contains("must be a whole number in digits, without point and exponent, or auto (found '64.0')"));
   CHECK_THAT(points("\"64\""), Contains("must be a whole number or auto (found the text '64' in quotes)"));
   CHECK_THAT(points("99999999999999999999"), Contains("must be a whole number or auto"));
   const auto seed = [](const std::string& value) { return errors_of(kPlane + "seed: " + value + "\n"); };
@@ -140,7 +176,7 @@ TEST_CASE("config errors: what constructors refuse stands at its option") {
   CHECK_THAT(indefinite, Contains("a.yaml:2:37: error: 'matrix' in cost: "));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [0, 0, 0]}, target: {point: [1, 1]}}\n"),
-      Contains("a.yaml:3:24: error: 'point' in ends.source has 3 coordinates, but points of the manifold have 2\n"));
+      Contains("a.yaml:3:24: error: 'point' in ends.source must have 2 coordinates (x, y; found 3)\n"));
   CHECK_THAT(
       errors_of("manifold: euclidean\ncost: euclidean\nends: {source: {point: [1, 1]}, target: {point: [1, 1]}}\n"),
       Contains("'target' in ends is the same point as the source"));
@@ -170,7 +206,8 @@ TEST_CASE("config errors: parts that do not fit each other") {
   CHECK(errors_of(based + "ends: {source: {point: [0, 3]}}\n") == "");
   CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3]}, target: {point: [1, 3]}}\n"),
              Contains("a source alone is a fixed point of the ring"));
-  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"), Contains("3 coordinates"));
+  CHECK_THAT(errors_of(based + "ends: {source: {point: [0, 3, 1]}}\n"),
+             Contains("must have 2 coordinates (u, v; found 3)"));
   CHECK_THAT(errors_of(based + "family: {windings: 1, bows: 2}\n"),
              Contains("'windings' tries images of the target, but a ring has none") &&
                  Contains("'bows' bows the line between two ends, but a ring has none"));

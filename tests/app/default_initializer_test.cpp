@@ -119,7 +119,8 @@ TEST_CASE("default initializer: of equal ways around a dear square, not through 
   std::ofstream(file) << text;
   CHECK_THAT(call({"validate", file}).out, Catch::Contains("initializer: eikonal"));
   std::ofstream(file, std::ios::app) << "initializer: straight\n";
-  CHECK(call({"validate", file}).out == file + ": valid\n");
+  CHECK(call({"validate", file}).out ==
+        file + ": valid\n  not checked: the contents of hill.csv; leastcost run reads it\n");
 }
 
 TEST_CASE(

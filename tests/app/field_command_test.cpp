@@ -113,6 +113,88 @@ TEST_CASE("field and run: a terrain with heights in millimetres is refused in on
   }
 }
 
+TEST_CASE("field command: fields are refused by their dimension before their places are read") {
+  const ScratchDir dir;
+  const std::string line = text_file(dir / "line.yaml", "manifold: {type: euclidean, lower: [0], upper: [4]}\n"),
+                    four = text_file(dir / "four.yaml", "manifold: {type: euclidean, dimension: 4}\n");
+  for (const char* place : {"1", "1,2", "1,2,3", "1,2,3,4"}) {
+    const Called one = call({"field", line, "-o", (dir / "f.csv").string(), "--from", place});
+    CHECK(one.exit == 4);
+    CHECK_THAT(one.err,
+               Contains("field: there are none in one coordinate: only in two and in three coordinates, and on "
+                        "a mesh"));
+    CHECK_THAT(call({"field", four, "-o", (dir / "f.csv").string(), "--from", place}).err,
+               Contains("field: there are none in 4 coordinates"));
+  }
+}
+
+TEST_CASE("field command: costs that are not positive are named, and errors above every value") {
+  const ScratchDir dir;
+  const std::string out = (dir / "f.csv").string();
+  const auto field = [&](const std::string& n, const std::string& resolution) {
+    const std::string config = text_file(dir / "n.yaml",
+                                         "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: {type: "
+                                         "refractive_index, index: {type: formula, n: \"" +
+                                             n + "\"}}\n");
+    return call({"field", config, "-o", out, "--from", "1,1", "--resolution", resolution});
+  };
+  const Called negative = field("x - 5", "0.1");
+  CHECK(negative.exit == 4);
+  CHECK_THAT(negative.err, Contains("at (1, 1) the formula of n is not positive: n = -4") && !Contains("obstacles"));
+  CHECK_THAT(field("3 - x", "0.1").out,
+             Contains("note: nodes without a cost are left out: at (") && Contains("is not positive: n = -"));
+}
+
+TEST_CASE("field command: a fault is said of the place that has it, and columns have the names of coordinates") {
+  const ScratchDir dir;
+  const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  const Called far = call({"field", config, "-o", out, "--from", "1,1", "--from", "2,9"});
+  CHECK_THAT(far.err, Contains("--from 2,9 must have y between 0 and 2 (found 9): move the point\n"));
+  const std::string open = text_file(dir / "open.yaml", "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\n");
+  CHECK_THAT(call({"field", open, "-o", out, "--from", "1,1", "--to", "9,1"}).err, Contains("--to 9,1 must have x"));
+  const std::string body =
+      text_file(dir / "body.yaml", R"(manifold: {type: euclidean, lower: [0, 0, 0], upper: [4, 4, 2]}
+robot: {type: rigid_body, shape: [[-0.5, 0, 0.5, 0, 0.1]]}
+obstacles: [{type: ball, center: [2, 2], radius: 0.5}]
+)");
+  const std::string way = (dir / "w.csv").string();
+  const Called called =
+      call({"field", body, "-o", out, "--from", "1,1,1", "--to", "3,1,1", "--way", way, "--resolution", "0.5"});
+  CHECK(called.err == "");
+  CHECK_THAT(content(out), Catch::StartsWith("x,y,angle,cost\n"));
+  CHECK_THAT(content(way), Catch::StartsWith("way,x,y,angle\n"));
+}
+
+TEST_CASE("field command: options of the picture need a picture") {
+  const ScratchDir dir;
+  const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
+  for (const auto& [option, value] :
+       {std::pair("--what", "path"), std::pair("--width", "80mm"), std::pair("--font-size", "9"),
+        std::pair("--unit", "m"), std::pair("--dpi", "300")}) {
+    const Called called = call({"field", config, "-o", out, option, value});
+    CHECK(called.exit == 2);
+    CHECK_THAT(called.err, Contains(option) && Contains("add --figure FILE"));
+  }
+}
+
+TEST_CASE("field and run: usual fill values and unlikely slopes of a terrain are told") {
+  const ScratchDir dir;
+  const auto terrain = [&](double scale, const std::string& fill) {
+    std::string grid = "ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 3000\n";
+    for (int i = 0; i < 1600; ++i) {
+      const double z = scale * (500 + 300 * std::sin(0.7 * (i % 40)) * std::cos(0.5 * double(i / 40)));
+      grid += (i < 40 ? fill : std::to_string(z)) + (i % 40 == 39 ? "\n" : " ");
+    }
+    text_file(dir / "dem.asc", grid);
+    const std::string config = text_file(dir / "dem.yaml", "manifold: {type: terrain, file: dem.asc}\n");
+    return call({"field", config, "-o", (dir / "out.csv").string(), "--from", "50000,50000", "--resolution", "3000"});
+  };
+  const Called filled = terrain(1, "-9999");
+  CHECK(filled.err == "");
+  CHECK_THAT(filled.out, Contains("note: the value -9999 was taken as \"no data\": 40 of 1600 cells have it"));
+  CHECK_THAT(terrain(100, "500").out, Contains("note: ") && Contains("steeper than 60 degrees"));
+}
+
 TEST_CASE("field command: what it refuses, in one sentence") {
   const ScratchDir dir;
   const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
@@ -126,8 +208,8 @@ TEST_CASE("field command: what it refuses, in one sentence") {
   };
   refused({"--from", "1"}, 4, "--from 1: there is no such file, and it is not a place");
   refused({"--from", "1,nan"}, 4, "expected two numbers");
-  refused({"--from", "9,9"}, 4, "--from 9,9: ");
-  refused({"--to", "9,9"}, 4, "--to 9,9: coordinate 0 is 9, but must be between 0 and 4");
+  refused({"--from", "9,9"}, 4, "--from 9,9 must have x between 0 and 4 (found 9)");
+  refused({"--to", "9,9"}, 4, "--to 9,9 must have x between 0 and 4 (found 9): move the point\n");
   refused({"--way", "w.csv"}, 4, "--way needs --to X,Y");
   refused({"--corridor", "--to-here"}, 4, "both directions");
   refused({"--resolution", "0"}, 3, "resolution");

@@ -34,6 +34,24 @@ TEST_CASE("override: positions in a list") {
       Contains("--set post_process.0=trace: error: the list has 0 entries, numbered from 0; '0' is not one of them\n"));
 }
 
+TEST_CASE("override: positions in a list may be written in brackets and are numbered from 0") {
+  const std::string discs = kPlane +
+                            "obstacles: [{type: ball, center: [9, 9], radius: 1}, {type: ball, center: [5, 5], radius: "
+                            "1}]\n";
+  LoadedConfig loaded = parse(discs, {"obstacles[1].radius=0.25", "obstacles[0].center[1]=7"});
+  CHECK(loaded.errors.empty());
+  const std::string resolved = resolved_yaml(loaded.config);
+  CHECK_THAT(resolved, Contains("radius: 0.25") && Contains("[9, 7]"));
+  CHECK(resolved.find("radius: 0.25") > resolved.find("[5, 5]") - 60);
+  CHECK_THAT(errors_of(discs, {"obstacles[2].radius=1"}),
+             Contains("the list has 2 entries, numbered from 0; '2' is not one of them"));
+  for (const char* bad : {"obstacles[=1", "obstacles[].radius=1", "obstacles[x].radius=1", "obstacles[1]radius=1",
+                          "[1].radius=1", "obstacles.[1].radius=1"}) {
+    CAPTURE(bad);
+    CHECK_THAT(errors_of(discs, {bad}), Contains("obstacles[1].radius=2"));
+  }
+}
+
 TEST_CASE("override: errors show the argument in the place of the position") {
   CHECK(errors_of(kPlane, {"path.points=many"}) ==
         "--set path.points=many: error: 'points' in path must be a whole number or auto (found 'many')\n");

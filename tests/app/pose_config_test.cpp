@@ -80,7 +80,7 @@ TEST_CASE("poses: what is no pose, no box, no weight and no obstacle of theirs i
   CHECK_THAT(errors_of(poses_between("se3", "[0, 0, 0, 0, 0, 0, 0]", "[1, 2, -1, 1, 0, 0, 0]")),
              Contains("'point' in ends.source") && Contains("factor 2 of the product has none"));
   CHECK_THAT(errors_of(poses_between("se2", "[0, 0]", "[1, 2, 3]")),
-             Contains("'point' in ends.source") && Contains("has 2 coordinates, but points of the manifold have 3"));
+             Contains("'point' in ends.source") && Contains("must have 3 coordinates (x, y, angle; found 2)"));
   CHECK(errors_of(poses_between("se2", "[1, 1, 0.5]", "[1, 1, 6.783185307179586]")) == "");  // a loop, one turn
   CHECK_THAT(errors_of(poses_between("se3", "[0, 0, 0, 1, 0, 0, 0]", "[0, 0, 0, -1, 0, 0, 0]")),
              Contains("is the same point as the source, in other coordinates"));

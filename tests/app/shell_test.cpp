@@ -110,6 +110,7 @@ TEST_CASE("man pages: one for each command, and the formatter warns of nothing")
   CHECK_THAT(written(dir / "leastcost-run.1"), Contains("\\-\\-dry\\-run") && Contains("jsonl"));
   for (const auto& page : std::filesystem::directory_iterator(dir.path())) {
     CAPTURE(page.path().filename());
+    CHECK_THAT(written(page.path()), Contains(".SH EXIT STATUS") && !Contains("text or json. One of"));
     const std::string file = "'" + page.path().string() + "'";
     if (checked_by("mandoc")) CHECK(shell_runs("mandoc -T lint -W warning " + file));
     if (checked_by("groff")) CHECK(shell_runs("! groff -man -ww -z -Tutf8 " + file + " 2>&1 | grep ."));

@@ -153,13 +153,13 @@ TEST_CASE("robots of others: an end beyond the limits of a joint is refused with
       "manifold: robot\nrobot: {type: urdf, file: gantry.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0.2, 0.3, 0.55]}\n  target: {point: [1.3, 0.7, 0.65]}\n";
   CHECK_THAT(refusal_of(gantry, strangers_folder()),
-             Contains("a.yaml:6") && Contains("coordinate 2 is 0.65, but must be between 0 and 0.6"));
+             Contains("a.yaml:6") && Contains("between 0 and 0.6 (found 0.65)"));
   // A coordinate that is large forgives the others nothing.
   const std::string scara =
       "manifold: robot\nrobot: {type: urdf, file: scara.urdf}\ncost: euclidean\nends:\n"
       "  source: {point: [0, 0.3, 0, 0]}\n  target: {point: [0, 2.9, 0, 1e9]}\n";
   CHECK_THAT(refusal_of(scara, strangers_folder()),
-             Contains("a.yaml:6") && Contains("coordinate 1 is 2.9, but must be between -2.5 and 2.5"));
+             Contains("a.yaml:6") && Contains("between -2.5 and 2.5 (found 2.9)"));
 }
 
 TEST_CASE("robots of others: an arm of six joints from URDF and SRDF on a bench - with limits of MoveIt") {

@@ -71,7 +71,7 @@ TEST_CASE("urdf in a configuration: what does not fit is named with its place") 
              Contains("a.yaml:2") && Contains("the SRDF has no group 'leg'; it has: 'all', 'arm', 'gripper'"));
   CHECK_THAT(refusal_of(replaced(kArm, "gantry_arm.urdf", "missing.urdf"), folder()), Contains("missing.urdf"));
   CHECK_THAT(refusal_of(replaced(kArm, "{state: left_bin}", "{point: [0, 0, 0]}"), folder()),
-             Contains("has 3 coordinates, but points of the manifold have 4"));
+             Contains("must have 4 coordinates (x0, x1, x2, x3; found 3)"));
   CHECK_THAT(refusal_of(replaced(kArm, "hold_state: open", "hold: {left: 1}"), folder()),
              Contains("outside its limits"));
   CHECK_THAT(refusal_of(replaced(kArm, "manifold: robot", "manifold: {type: euclidean, dimension: 4}"), folder()),

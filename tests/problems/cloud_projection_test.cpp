@@ -171,4 +171,10 @@ TEST_CASE("a cloud says why it has no surface: far beyond the border no radius h
              Contains("outside the border") && Contains("waypoints"));
 }
 
+TEST_CASE("a cloud says of a point far away from it only how far it is") {
+  const std::string why = reason_and_cure(open_sphere(3000, 0, true), Vector3d(900, 1, 1));
+  CHECK_THAT(why, Contains("it is 899 away from the nearest sample of a cloud that is ") &&
+                      Contains("give a point on the cloud") && !Contains("radius") && !Contains("waypoints"));
+}
+
 }  // namespace leastcost::test

@@ -339,7 +339,39 @@ TEST_CASE("field: a way against a current that leaves few directions") {
   const std::vector<Vector2d> way = way_down(field, sail, Vector2d(0, 0));
   CHECK(way.front() == Vector2d(3.66, -1.86));
   CHECK(way.back() == Vector2d(0, 0));
-  CHECK(cost_of_way(sail, way) == Approx(5.4579).epsilon(0.01));
+  CHECK(cost_of_way(sail, way) == Approx(5.4579).epsilon(0.005));
+}
+
+TEST_CASE("field: a cost that is not positive or not finite is named with its value and place") {
+  const auto from = [](const std::string& n, const Vector2d& source) {
+    return costs_from(between(unit_box(), index_of(n), source, Vector2d(0.9, 0.9)), {source}, {.resolution = 0.05});
+  };
+  CHECK_THROWS_WITH(
+      from("x - 5", Vector2d(0.5, 0.5)),
+      Catch::Contains("no path leaves the place (0.5, 0.5): at (0.5, 0.5) the formula of n is not positive: "
+                      "n = -4.5"));
+  CHECK_THROWS_WITH(from("1 / (x - x)", Vector2d(0.5, 0.5)),
+                    Catch::Contains("the formula of n is not finite: n = inf"));
+  CHECK_THROWS_WITH(from("sqrt(x - 2)", Vector2d(0.5, 0.5)), Catch::Contains("the formula of n is not finite: n = "));
+  const CostField half = from("0.5 - x", Vector2d(0.2, 0.2));
+  CHECK_THAT(half.without_cost, Catch::Contains("the formula of n is not positive: n = -"));
+  CHECK(from("1 + x", Vector2d(0.2, 0.2)).without_cost.empty());
+}
+
+TEST_CASE("field: nodes cover the box to its edges whatever the resolution") {
+  const auto box = std::make_shared<const EuclideanManifold>(
+      EuclideanManifoldOptions::of({Eigen::VectorXd(Vector2d(1, 2)), Eigen::VectorXd(Vector2d(2, 2.73))}));
+  const Problem problem = between(box, make_euclidean_cost(2), Vector2d(1.2, 2.2), Vector2d(1.5, 2.5));
+  for (const double resolution : {0.1, 0.09, 0.013}) {
+    const CostField field = field_of(problem, resolution);
+    CHECK((field.node(field.count[0] - 1, field.count[1] - 1) - Vector2d(2, 2.73)).norm() < 1e-12);
+    CHECK(field.step.maxCoeff() <= resolution * (1 + 1e-9));
+    CHECK(worst(field, [&](const Vector2d& x) { return (x - problem.source.u).norm(); }) < 5e-3 * resolution);
+  }
+  CHECK(field_of(problem, 0.1).step == Vector2d(0.1, 0.73 / 8));
+  const CostField square = costs_from(problem, {problem.source.u}, {.resolution = 0.1, .equal_steps = true});
+  CHECK(square.step == Vector2d(0.1, 0.1));
+  CHECK(square.count == std::array<std::int32_t, 2>{11, 8});
 }
 
 TEST_CASE("field: why there is no way is said") {

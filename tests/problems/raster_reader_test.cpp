@@ -182,6 +182,68 @@ TEST_CASE("rasters: heights in another unit than cells are no ground") {
   CHECK_NOTHROW(check_slopes(walls, {}));
 }
 
+TEST_CASE("rasters: usual fill values in many cells are no data whatever the width of the raster") {
+  for (const char* fill : {"-9999", "-32768", "-99999", "-999", "-3.4028235e+38", "-3.402823e38", "1e38", "3.4e38"})
+    for (const double side : {1.0, 1e6}) {
+      INFO(fill);
+      std::string text = "ncols 3\nnrows 3\nxllcorner 10\nyllcorner 20\ncellsize " + std::to_string(side) + "\n";
+      text += std::string("100 ") + fill + " 180\n240 " + fill + " 300\n120 130 140\n";
+      std::string note;
+      const RasterGrid raster = placed(read_esri_grid(text, "a.asc"), {}, &note);
+      CHECK(std::isnan(raster.value(2, 1)));
+      CHECK(std::isnan(raster.value(1, 1)));
+      CHECK(raster.value(0, 1) == 130);
+      CHECK_THAT(note,
+                 Catch::Contains("was taken as \"no data\": 2 of 9 cells have it, the first is row 0, column 1 of "
+                                 "a.asc") &&
+                     Catch::Contains("set nodata to a number that no cell has"));
+      RasterOptions otherwise;
+      otherwise.nodata = 12345.6;
+      note.clear();
+      if (std::abs(std::stod(fill)) < 1e30) {
+        CHECK(placed(read_esri_grid(text, "a.asc"), otherwise, &note).value(2, 1) == std::stod(fill));
+        CHECK(note.empty());
+      }
+    }
+}
+
+TEST_CASE("rasters: heights and costs that look like fill values but are near the others are kept") {
+  const auto kept = [](const std::string& values) {
+    std::string note;
+    const RasterGrid raster = placed(read_esri_grid(kHead + values, "a.asc"), {}, &note);
+    CHECK(note.empty());
+    return std::none_of(raster.values.begin(), raster.values.end(), [](double v) { return std::isnan(v); });
+  };
+  CHECK(kept("-9999 -9999 -9100\n-8000 -2000 0\n"));  // an ocean
+  CHECK(kept("-9999 -9999 -20000\n-8000 -2000 0\n"));
+  CHECK(kept("9999 9999 1\n1 2 3\n"));  // dear cells
+  CHECK(kept("0 0 0\n300 301 302\n"));
+}
+
+TEST_CASE("rasters: a cliff of 300 m within 120 m is ground") {
+  std::string text = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 10\n";
+  for (int row = 0; row < 12; ++row)
+    for (int column = 0; column < 12; ++column) text += column < 6 ? "0 " : std::to_string(300 + row % 3) + " ";
+  std::string note;
+  const RasterGrid raster = placed(read_esri_grid(text, "cliff.asc"), {}, &note);
+  CHECK(note.empty());
+  CHECK_NOTHROW(check_heights(raster, {}));
+  CHECK(check_slopes(raster, {}).empty());
+}
+
+TEST_CASE("rasters: most slopes above 60 degrees get a note that says what to write") {
+  RasterGrid hills;
+  hills.rows = 20, hills.columns = 30, hills.source = "hills.asc";
+  hills.cell = {30, 30};
+  for (int row = 0; row < hills.rows; ++row)
+    for (int column = 0; column < hills.columns; ++column)
+      hills.values.push_back(100 * 10 * std::sin(0.1 * row) * std::cos(0.2 * column));  // centimetres
+  CHECK_THAT(check_slopes(hills, {}),
+             Catch::Contains("steeper than 60 degrees") && Catch::Contains("0.01") && Catch::Contains("value_scale"));
+  for (double& z : hills.values) z /= 20;
+  CHECK(check_slopes(hills, {}).empty());
+}
+
 TEST_CASE("rasters: fill values that nobody declared are named with the option that declares them") {
   const auto refusal = [](const std::string& fill, RasterOptions options) {
     const RasterFile file = read_esri_grid(kHead + "1 2 3\n4 " + fill + " 6\n", "a.asc");

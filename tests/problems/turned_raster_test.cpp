@@ -105,7 +105,11 @@ TEST_CASE("turned raster: fill values are found before they are mixed, options r
   };
   std::string note;
   RasterOptions options;
-  CHECK_THROWS_WITH(placed_upright(file(-32768), options, Resampling::bilinear, note), Catch::Contains("nodata"));
+  for (const double value : placed_upright(file(-32768), options, Resampling::bilinear, note).values)
+    CHECK((std::isnan(value) || (value >= 100 && value <= 109)));
+  CHECK_THAT(note, Catch::Contains("the value -32768 was taken as \"no data\"") && Catch::Contains("is rotated"));
+  CHECK_THROWS_WITH(placed_upright(file(32767), options, Resampling::bilinear, note),
+                    Catch::Contains("set nodata: 32767"));
   options.nodata = -32768;
   options.value_scale = 2;
   const RasterGrid grid = placed_upright(file(-32768), options, Resampling::bilinear, note);

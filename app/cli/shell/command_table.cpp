@@ -85,8 +85,15 @@ CommandOption option_entry(const CLI::Option& from, const std::string& command) 
   return option;
 }
 
+/// Of its footer what stands before the exit codes.
+std::string own_footer(const CLI::App& app) {
+  const std::string footer = app.get_footer();
+  const std::string own = footer.substr(0, footer.find(kExitCodes));
+  return own.substr(0, own.find_last_not_of('\n') + 1);
+}
+
 CommandHelp command_entry(const CLI::App& app) {
-  CommandHelp command{app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  CommandHelp command{app.get_name(), app.get_description(), own_footer(app), {}, {}};
   for (const CLI::Option* option : app.get_options())
     (option->get_positional() ? command.arguments : command.options).push_back(option_entry(*option, command.name));
   return command;

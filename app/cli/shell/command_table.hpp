@@ -11,6 +11,11 @@ class App;
 
 namespace leastcost::app {
 
+/// The last lines of --help, of the program and of each command.
+inline constexpr const char* kExitCodes =
+    "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n6 no "
+    "path, 7 part of a study or of many pairs failed, 8 output or system error, 130 interrupted";
+
 /// What may stand where an argument or the value of an option is asked for.
 enum class Completes {
   nothing,  ///< it takes no value
@@ -32,7 +37,7 @@ struct CommandOption {
 };
 
 struct CommandHelp {
-  std::string name, help, footer;
+  std::string name, help, footer;  ///< footer: without the exit codes
   std::vector<CommandOption> options, arguments;
 };
 

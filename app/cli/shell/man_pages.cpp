@@ -36,7 +36,7 @@ std::string upper(std::string text) {
 }
 
 // Of the last change of these pages; a date is required, and that of the build would make builds differ.
-constexpr const char* kManDate = "2026-11-27";
+constexpr const char* kManDate = "2026-11-28";
 
 std::string head(const std::string& name, const std::string& help, const std::string& version) {
   std::string what = help;
@@ -52,8 +52,9 @@ std::string item(const CommandOption& option, bool argument) {
     line += (line.empty() ? "\\fB" : ", \\fB") + roff(argument ? option.value : name) + "\\fR";
   if (!argument && !option.value.empty()) line += " \\fI" + roff(option.value) + "\\fR";
   std::string text = roff(option.help);
-  if (option.completes == Completes::words && !option.words.empty() && option.value != "TEMPLATE" &&
-      option.value != "KIND") {
+  const bool said = std::all_of(option.words.begin(), option.words.end(),
+                                [&](const std::string& word) { return option.help.find(word) != std::string::npos; });
+  if (option.completes == Completes::words && !said && option.value != "TEMPLATE" && option.value != "KIND") {
     text += ". One of ";
     for (const std::string& word : option.words) text += (word == option.words.front() ? "" : ", ") + roff(word);
   }
@@ -93,7 +94,7 @@ std::string program_page(const CommandTable& table, const std::string& version) 
     out += fmt::format(".TP\n\\fB{}\\fR\n{}. See \\fBleastcost\\-{}\\fR(1).\n", roff(command.name), roff(command.help),
                        roff(command.name));
   out += items("OPTIONS", table.program.options, false);
-  out += as_it_is("EXIT STATUS", table.program.footer);
+  out += as_it_is("EXIT STATUS", kExitCodes);
   out += as_it_is("EXAMPLES",
                   "leastcost init mesh\nleastcost run mesh/mesh.yaml -o results/mesh\n"
                   "leastcost figure results/mesh -o mesh.svg");
@@ -104,7 +105,7 @@ std::string command_page(const CommandHelp& command, const std::string& version)
   return head("leastcost-" + command.name, command.help, version) + synopsis(command) + ".SH DESCRIPTION\n" +
          roff(command.help) + ".\n" + items("ARGUMENTS", command.arguments, true) +
          items("OPTIONS", command.options, false) + as_it_is("NOTES", command.footer) +
-         ".SH SEE ALSO\n\\fBleastcost\\fR(1)\n";
+         as_it_is("EXIT STATUS", kExitCodes) + ".SH SEE ALSO\n\\fBleastcost\\fR(1)\n";
 }
 
 }  // namespace
