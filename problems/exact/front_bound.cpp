@@ -18,6 +18,8 @@ constexpr double kPiece = 0.5;  // of the mean edge of a front: edges are divide
 constexpr int kLanes = 16;      // numbers at a time
 /// Relative rounding of a bound in floats: three coordinates, their differences, a root, two sums, twice over.
 constexpr double kFloats = 16 * 0x1p-24;
+/// Of lengths whose squares floats hold, with 1e-7 of them.
+constexpr double kShort = 1e-15, kLong = 1e15;
 
 using Lanes = Eigen::Array<float, kLanes, 1>;
 
@@ -71,7 +73,7 @@ void FrontBound::aim(const EndPoint& source, const EndPoint& target, double uppe
   rounding_ = kFloats * extent_;
   step_ = std::clamp(static_cast<std::int32_t>(std::min(upper / (kFronts * mesh_->mean_edge()), double{kMostStep})),
                      kLeastStep, kMostStep);
-  if (!is_worth(*mesh_, upper)) return;
+  if (!is_worth(*mesh_, upper) || extent_ < kShort || extent_ > kLong) return;
   vertices_.resize(static_cast<std::size_t>(mesh_->mesh().vertex_count()));
   if (!spread(target, stop)) return;
   const std::int32_t levels = static_cast<std::int32_t>(level_end_.size());

@@ -135,6 +135,20 @@ TEST_CASE("fronts: on a sphere they come near to the distance where the straight
   CHECK(fronts.from_vertex(far) > 0.97 * length);
 }
 
+TEST_CASE("fronts: in any unit a path is proved") {
+  const double unit = GENERATE(1e-25, 1e-14, 1e14, 1e25);
+  CAPTURE(unit);
+  PolygonSoup soup = sphere(4);
+  for (Eigen::Vector3d& p : soup.positions) p *= unit;
+  const TriangleMesh mesh(soup);
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const SurfacePoint source = vertex_point(mesh, 3), target = vertex_point(mesh, mesh.vertex_count() - 5);
+  const ExactResult found = search.shortest(source, target, workspace);
+  CHECK(found.is_proved());
+  CHECK(found.length == Approx(search.shortest(source, target, workspace, {.fronts = false}).length).epsilon(1e-12));
+}
+
 TEST_CASE("fronts: with any start the same path is proved, by fewer windows") {
   const Surface kind = GENERATE(Surface::bumps, Surface::sphere, Surface::pages, Surface::uneven);
   CAPTURE(static_cast<int>(kind));
