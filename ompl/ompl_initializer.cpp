@@ -231,7 +231,8 @@ FirstPath OmplInitializer::first_path(const Problem& problem, const Monitor& mon
                           std::to_string(nodes.size()) + " states");
   }
   std::mt19937_64 engine(static_cast<std::uint64_t>(*options_.seed));
-  first.path = as_open_path(lines.shortened(nodes, options_.shortcuts, engine, monitor));
+  first.path = as_open_path(
+      lines.shortened(nodes, options_.shortcuts, std::numeric_limits<double>::infinity(), engine, monitor));
   pin_ends(problem, first.path);
   return first;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include <leastcost/framework/problem/clearance.hpp>
@@ -14,7 +13,6 @@ namespace {
 
 using Place = Eigen::VectorXd;
 
-constexpr double kAny = std::numeric_limits<double>::infinity();
 constexpr int kMostIfQuick = 8;        ///< rounds of shortcuts
 constexpr int kPiecesOfStep = 2;       ///< before they are bisected
 constexpr double kLongestPiece = 1.5;  ///< a projected piece may be so much longer than the piece
@@ -100,10 +98,10 @@ Places ClearLines::in_pieces(const Places& nodes) const {
 /// find it.
 Places ClearLines::straightened(Places path, const Rounds& rounds, double longest, std::mt19937_64& engine,
                                 const Monitor& monitor) {
-  constexpr int kOneAnywhere = 4;                   // of so many tries
-  constexpr double kBeside = 0.25;                  // of the length: half of what the others may span
-  constexpr double kWorth = 1e-3, kOfRound = 5e-3;  // of the length: a shortcut that is tried, a round that goes on
-  std::vector<double> ends;                         // of the segments, from the first node on
+  constexpr int kOneAnywhere = 4;   // of so many tries
+  constexpr double kBeside = 0.25;  // of the length: half of what the others may span
+  constexpr double kWorth = 1e-3;   // of the length: a shortcut that is tried
+  std::vector<double> ends;         // of the segments, from the first node on
   const auto measure = [&] {
     ends.clear();
     double sum = 0;
@@ -118,7 +116,7 @@ Places ClearLines::straightened(Places path, const Rounds& rounds, double longes
   measure();
   double before = ends.back();
   const auto goes_on = [&](int round) {
-    return before - ends.back() >= kOfRound * before && (round < rounds.fewest || ends.back() <= longest);
+    return before - ends.back() >= rounds.worth * before && (round < rounds.fewest || ends.back() <= longest);
   };
   for (int k = 0; k < rounds.most * rounds.tries && path.size() > 2 && !monitor.interrupted(); ++k) {
     if (k > 0 && k % rounds.tries == 0) {
@@ -145,14 +143,16 @@ Places ClearLines::straightened(Places path, const Rounds& rounds, double longes
 Places ClearLines::roughly_shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
                                      const Monitor& monitor) {
   constexpr int kShorter = 4, kMost = 8, kFewest = 2;  // rounds: times, at most, before a path may be given up
-  if (!quick()) return shortened(nodes, tries, engine, monitor);
-  const Rounds rounds{std::max(1, tries / kShorter), kMost, kFewest};
+  constexpr double kWorth = 5e-3;
+  if (!quick()) return shortened(nodes, tries, longest, engine, monitor);
+  const Rounds rounds{std::max(1, tries / kShorter), kMost, kFewest, kWorth};
   return in_pieces(straightened(nodes, tries > 0 ? rounds : Rounds{}, longest, engine, monitor));
 }
 
-Places ClearLines::shortened(const Places& nodes, int tries, std::mt19937_64& engine, const Monitor& monitor) {
-  constexpr double kShorter = 1 - 1e-9;
-  if (quick()) return in_pieces(straightened(nodes, {tries, kMostIfQuick, kMostIfQuick}, kAny, engine, monitor));
+Places ClearLines::shortened(const Places& nodes, int tries, double longest, std::mt19937_64& engine,
+                             const Monitor& monitor) {
+  constexpr double kShorter = 1 - 1e-9, kWorth = 2.5e-3;
+  if (quick()) return in_pieces(straightened(nodes, {tries, kMostIfQuick, 1, kWorth}, longest, engine, monitor));
   Places path = {nodes.front()};
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     look_at_clock(monitor.deadline);

@@ -34,20 +34,21 @@ class ClearLines {
   /// The path through `nodes` on the domain, from which `tries` random shortcuts leave out what lies between two of its
   /// points whose line is shorter; fewer where the monitor says stop. Throws Interrupted after its deadline. Where
   /// quick() is true the lines between the nodes are clear already; there are up to eight rounds of as many tries, but
-  /// fewer where they gain little.
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, std::mt19937_64& engine,
-                                         const Monitor& monitor);
+  /// fewer where they gain little or the path is still longer than `longest`, of use to nobody.
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, double longest,
+                                         std::mt19937_64& engine, const Monitor& monitor);
   /// The same where quick() is false. Else with short rounds, until one gains little or, after two, the path is still
-  /// longer than `longest`, of use to nobody: what there is to choose among several paths before one is shortened().
+  /// longer than `longest`: what there is to choose among several paths before one is shortened().
   std::vector<Eigen::VectorXd> roughly_shortened(const std::vector<Eigen::VectorXd>& nodes, int tries, double longest,
                                                  std::mt19937_64& engine, const Monitor& monitor);
 
  private:
   using Places = std::vector<Eigen::VectorXd>;
   struct Rounds {
-    int tries = 0;   ///< of each
-    int most = 0;    ///< rounds
-    int fewest = 0;  ///< before a path is given up because it is too long
+    int tries = 0;     ///< of each
+    int most = 0;      ///< rounds
+    int fewest = 0;    ///< before a path is given up because it is too long
+    double worth = 0;  ///< of the length: what a round has to gain for another one
   };
 
   bool goes_straight(const Eigen::VectorXd& a, const Eigen::VectorXd& b);

@@ -97,8 +97,8 @@ std::optional<std::vector<Vector>> RandomTrees::joined(int most_nodes, const Mon
   return {};
 }
 
-std::vector<Vector> RandomTrees::shortened(const std::vector<Vector>& nodes, const Monitor& monitor) {
-  return lines_.shortened(nodes, options_.shortcuts, engine_, monitor);
+std::vector<Vector> RandomTrees::shortened(const std::vector<Vector>& nodes, const Monitor& monitor, double longest) {
+  return lines_.shortened(nodes, options_.shortcuts, longest, engine_, monitor);
 }
 
 std::vector<Vector> RandomTrees::roughly_shortened(const std::vector<Vector>& nodes, const Monitor& monitor,

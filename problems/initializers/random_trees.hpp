@@ -52,7 +52,8 @@ class RandomTrees {
 
   /// The whole path on the domain, without what lies between two of its points whose straight line projects to
   /// something shorter; as ClearLines::shortened() and roughly_shortened().
-  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor);
+  std::vector<Eigen::VectorXd> shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor,
+                                         double longest = std::numeric_limits<double>::infinity());
   std::vector<Eigen::VectorXd> roughly_shortened(const std::vector<Eigen::VectorXd>& nodes, const Monitor& monitor,
                                                  double longest = std::numeric_limits<double>::infinity());
   bool quick() const { return lines_.quick(); }  ///< whether there is anything to gain by the second of these

@@ -52,7 +52,8 @@ Monitor for_further_paths(const Monitor& monitor) {
 
 /// Looks for further paths, with trees of other seeds that may become a few times as large as those of the first: the
 /// shortest of all that there is time for. Of a robot's there are `more` if the best is far from straight, and no more
-/// if it is nearly straight. They are compared when a few shortcuts have been tried, and only the best gets them all.
+/// if it is nearly straight. They are compared when a few shortcuts have been tried, and only the best gets them all;
+/// but not where the best is far from straight: in narrow passages few shortcuts say little.
 class ShortestOf {
  public:
   ShortestOf(const Problem& problem, const RrtOptions& options, RandomTrees& first, const Monitor& monitor)
@@ -64,7 +65,7 @@ class ShortestOf {
     auto seed = static_cast<std::uint64_t>(*options_.seed);
     try {
       for (int k = 1; k < more && !within.interrupted(); ++k) {
-        if (k == paths) finish();
+        if (k == paths || is_far_from_straight()) finish();
         if (more > paths && (k < paths ? is_nearly_straight() : !is_far_from_straight())) break;
         look_once_more(seed += kNextSeed, within);
       }
@@ -89,15 +90,18 @@ class ShortestOf {
   }
 
   void look_once_more(std::uint64_t seed, const Monitor& within) {
+    constexpr double kHopeless = 1.5;  // of the length of the best, when some shortcuts have been tried
+    const bool far = is_far_from_straight();
     const double length = polyline_length(best_);
     RandomTrees trees(problem_, options_, seed);
     trees.look_for(length);
     const std::optional<std::vector<Eigen::VectorXd>> nodes = trees.joined(most_nodes(), within);
     if (!nodes) return;
-    std::vector<Eigen::VectorXd> path = trees.roughly_shortened(*nodes, within, length);
+    std::vector<Eigen::VectorXd> path =
+        far ? trees.shortened(*nodes, within, kHopeless * length) : trees.roughly_shortened(*nodes, within, length);
     if (!(polyline_length(path) < length)) return;
     best_ = std::move(path);
-    unfinished_ = first_.quick();
+    unfinished_ = !far && first_.quick();
   }
 
   void finish() {
