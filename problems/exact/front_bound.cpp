@@ -9,15 +9,15 @@
 namespace leastcost {
 namespace {
 
-/// Fronts are this many edges apart: a 25th of the way, within limits. Closer ones lose more along their own edges,
-/// wider ones more in the chords between them.
+/// Fronts are a 25th of the way apart, but no fewer edges than this. Closer ones lose more along their own edges, wider
+/// ones more in the chords between them.
 constexpr double kFronts = 25;
-constexpr std::int32_t kLeastStep = 6, kMostStep = 24;
+constexpr std::int32_t kLeastStep = 6;
 constexpr double kWorth = 4;    // steps of a way that is worth fronts
 constexpr double kPiece = 0.5;  // of the mean edge of a front: edges are divided to have no longer pieces
 constexpr int kLanes = 16;      // numbers at a time
 /// Relative rounding of a bound in floats: three coordinates, their differences, a root, two sums, twice over.
-constexpr double kFloats = 16 * 0x1p-24;
+constexpr double kFloats = 32 * 0x1p-24;
 /// Of lengths whose squares floats hold, with 1e-7 of them.
 constexpr double kShort = 1e-15, kLong = 1e15;
 
@@ -71,10 +71,10 @@ void FrontBound::aim(const EndPoint& source, const EndPoint& target, double uppe
   // The corners of a face that such a path crosses are no farther from it than the longest edge.
   extent_ = (upper + 2 * (mesh_->longest_edge() + source.error + target.error)) * (1 + 64 * kRoundingOf<double>);
   rounding_ = kFloats * extent_;
-  step_ = std::clamp(static_cast<std::int32_t>(std::min(upper / (kFronts * mesh_->mean_edge()), double{kMostStep})),
-                     kLeastStep, kMostStep);
   if (!is_worth(*mesh_, upper) || extent_ < kShort || extent_ > kLong) return;
-  vertices_.resize(static_cast<std::size_t>(mesh_->mesh().vertex_count()));
+  const double vertices = mesh_->mesh().vertex_count();
+  step_ = std::max(kLeastStep, static_cast<std::int32_t>(std::min(upper / (kFronts * mesh_->mean_edge()), vertices)));
+  vertices_.resize(static_cast<std::size_t>(vertices));
   if (!spread(target, stop)) return;
   const std::int32_t levels = static_cast<std::int32_t>(level_end_.size());
   for (std::int32_t level = step_; level < levels && !(stop && stop()); level += step_) make_front(level);
@@ -204,6 +204,7 @@ std::optional<std::pair<double, double>> FrontBound::along(std::int32_t h) {
   if (!helps()) return std::nullopt;
   const Vertex *const tail = asked(mesh_->tail(h)), *const head = asked(mesh_->head(h));
   if (tail == nullptr || head == nullptr || tail->front != head->front || tail->front < 0) return std::nullopt;
+  if (!(std::min(tail->bound, head->bound) > 0)) return std::nullopt;  // they may be less in truth
   const double gap = static_cast<double>(std::min(tail->gap, head->gap)), length = mesh_->side(h).length;
   const double piece = fronts_[static_cast<std::size_t>(tail->front)].piece;
   const double off = sag(gap - piece, length) + sag(gap - length, piece) + rounding_;
