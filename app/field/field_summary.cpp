@@ -81,8 +81,7 @@ std::string estimate_notes(const Field& field, double largest) {
   else
     out += "error  not estimated: half as many cells are too few\n";
   if (field.error > largest)
-    out +=
-        "note: at some nodes the error may be larger than every value: use a smaller --resolution\n";
+    out += "note: at some nodes the error may be larger than every value: use a smaller --resolution\n";
   if (!field.without_cost.empty())
     out += fmt::format("note: nodes without a cost are left out: {}\n", field.without_cost);
   if (field.unresolved > 0)

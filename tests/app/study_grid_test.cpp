@@ -119,7 +119,7 @@ TEST_CASE("study errors: each at its place, said once for all cells") {
   check(kStudy + "sweep: {path.cascad: [true]}\n", "unknown key 'cascad' in path (did you mean 'cascade'?)");
   check(kStudy + "sweep: {path.cascade: true}\n", "'sweep' must be a block of options with lists of values");
   check(kStudy + "sweep: {path.points: [1]}\n", "'path.points' has an axis of its own: points");
-  check(kStudy + "seeds: [1.5]\n", "'seeds' has an entry that must be a whole number (found '1.5')");
+  check(kStudy + "seeds: [1.5]\n", "'seeds' has an entry that must be a whole number in digits");
   check(kStudy + "repetitions: 0\n", "'repetitions' must be at least 1");
   check(kStudy + "set: {solver.tolerance: x}\n", "must be a finite number (found 'x')");
   check(kStudy + "set: {path.points: 5}\n", "'path.points' is an axis of this study: its values are under points");

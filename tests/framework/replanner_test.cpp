@@ -165,7 +165,7 @@ TEST_CASE("replanner: no valid path is an outcome, and a later world has one aga
   const Replan closed = planner.replan(test::across(test::world_of(on_target, kKept)));
   CHECK(closed.outcome == ReplanOutcome::no_valid_path);
   CHECK(closed.result.path.u.cols() == 0);
-  CHECK_THAT(closed.why_not_new, Contains("the target is"));
+  CHECK_THAT(closed.why_not_new, Contains("the target lies"));
   CHECK(word_of(closed.outcome) == "no_valid_path");
   CHECK(planner.replan(test::across(test::world_of(open, kKept))).outcome != ReplanOutcome::no_valid_path);
 }
