@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -15,6 +16,12 @@ struct MarginCost {
   double cost = 0;    ///< at first order: the margin times what a unit of it less would save
 };
 
+/// What a domain was found to need for the moves of a path.
+struct SegmentFit {
+  std::shared_ptr<const ConstraintManifold> domain;  ///< fitted anew; null where that would change nothing
+  std::map<int, double> gaps;                        ///< least of the moves, by number of the obstacle, length units
+};
+
 /// Ability of a domain whose points keep away from something by as much as the moves between them need, which depends
 /// on the chain that they belong to.
 class FitsSegments {
@@ -26,8 +33,8 @@ class FitsSegments {
   virtual std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path,
                                                              double agreement = kCloseFit) const = 0;
   /// Fitted anew to a path on this one: by more where its moves come too near, by less where points keep away for
-  /// nothing. Null where that would change nothing.
-  virtual std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const = 0;
+  /// nothing.
+  virtual SegmentFit fitted(const CoordinatePath& path) const = 0;
   /// Of a chain at rest on this one, ascending by obstacle. gradient: of its cost at the free points, coordinate x n.
   virtual std::vector<MarginCost> margin_costs(const CoordinatePath& path, const Points& gradient) const = 0;
 };

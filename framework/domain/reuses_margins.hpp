@@ -23,8 +23,9 @@ struct KeptMargins {
 class ReusesMargins {
  public:
   virtual ~ReusesMargins() = default;
-  /// Those that this domain is fitted to, and where a chain rests on them.
-  virtual KeptMargins kept_margins(const CoordinatePath& path) const = 0;
+  /// Those that this domain is fitted to, and where a chain rests on them. gaps: of the last fit (SegmentFit); a margin
+  /// may be anywhere within what a fit allows, and is taken to a quarter of that for the next chain.
+  virtual KeptMargins kept_margins(const CoordinatePath& path, const std::map<int, double>& gaps) const = 0;
   /// As FitsSegments::unfitted(), but with such margins. Null where they are of other walls.
   virtual std::shared_ptr<const ConstraintManifold> unfitted_with(const KeptMargins& kept, const CoordinatePath& path,
                                                                   double agreement) const = 0;

@@ -85,13 +85,14 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
     const std::size_t without_room = project_free(*problem.manifold, path, monitor);
     if (are_too_many(without_room, path)) return {no_room_for(without_room), std::move(problem), true};
     space_pushed(problem, path, monitor.limit());
-    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
-    if (fitted != nullptr)
-      problem.manifold = std::move(fitted);
+    SegmentFit fit = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fit.domain != nullptr)
+      problem.manifold = std::move(fit.domain);
     else
       agreed = path.u;
   }
   SolveReport report;
+  SegmentFit fit;
   bool torn = false;
   int unsolved = 0;
   for (int k = 0;; ++k) {
@@ -107,15 +108,15 @@ FittedSolve solve_fitted(Problem problem, const Solver& solver, double reference
     if (agreed.size() == path.u.size() && agreed == path.u) break;
     agreed.resize(0, 0);
     if (!is_solved(report.termination) && ++unsolved == kMostUnsolved) break;
-    auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
-    if (fitted == nullptr || (torn = is_torn(energy, path))) break;
+    fit = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    if (fit.domain == nullptr || (torn = is_torn(energy, path))) break;
     if (k + 1 == kMostFits) {
       report.cycling = true;
       break;
     }
-    problem.manifold = std::move(fitted);
+    problem.manifold = std::move(fit.domain);
   }
-  return {std::move(report), std::move(problem), torn};
+  return {std::move(report), std::move(problem), torn, std::move(fit.gaps)};
 }
 
 }  // namespace leastcost

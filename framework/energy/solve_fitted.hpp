@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <map>
+
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/domain/fits_segments.hpp>
 #include <leastcost/framework/domain/reuses_margins.hpp>
@@ -18,6 +20,7 @@ struct FittedSolve {
   /// There are too few points: what they have to keep from obstacles leaves many of them no place, so that there was no
   /// solve, or no way, so that a move of the solved chain is far longer than the others and it was fitted no further.
   bool torn = false;
+  std::map<int, double> gaps = {};  ///< of the last fit (SegmentFit)
 };
 
 struct Fitting {

@@ -198,7 +198,7 @@ class OneReplan {
         pushed_.result.curve.x = chain_of(path);
         look_at(pushed_);
         if (pushed_.valid() || monitor_.interrupted()) return;
-        domain = find_ability<FitsSegments>(*domain)->fitted(path);
+        domain = find_ability<FitsSegments>(*domain)->fitted(path).domain;
       }
     } catch (const InitializationError&) {  // too few places left for its points
     } catch (const Interrupted&) {
@@ -278,7 +278,8 @@ class OneReplan {
     out.solve = std::move(solved.report);
     at_rest_ = is_solved(out.solve.termination) && !out.solve.cycling;
     const auto* reuses = find_ability<ReusesMargins>(*solved.problem.manifold);
-    if (at_rest_ && reuses != nullptr && !within.interrupted()) solved_ = {out.path, reuses->kept_margins(out.path)};
+    if (at_rest_ && reuses != nullptr && !within.interrupted())
+      solved_ = {out.path, reuses->kept_margins(out.path, solved.gaps)};
     out.seconds.solve = seconds_.solve = seconds_since(begin);
     out.status = within.interrupted() ? Status::interrupted : Status::uncertified;
     return out;
@@ -399,8 +400,8 @@ Replan Replanner::replan(const Problem& now, const Monitor& monitor) {
   last_.curve = out.result.curve;
   const bool solved = once.at_rest() && !monitor.interrupted();
   if (once.still()) return out;
-  rest_ = solved ? Rest(now, last_.path) : Rest();
   solved_ = solved ? once.solved() : SolvedChain{};
+  rest_ = solved ? Rest(now, last_.path, solved_) : Rest();
   return out;
 }
 

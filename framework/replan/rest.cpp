@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <leastcost/framework/domain/has_box.hpp>
 
 namespace leastcost {
 namespace {
@@ -16,25 +20,45 @@ bool same(const NearBound& a, const NearBound& b, double reach) {
          (a.slope - b.slope).norm() <= kSame * a.slope.norm();
 }
 
+bool is_same(const Points& a, const Points& b) { return a.rows() == b.rows() && a.cols() == b.cols() && a == b; }
+
+/// Empty: none.
+std::pair<Eigen::VectorXd, Eigen::VectorXd> box_of(const ConstraintManifold& manifold) {
+  const auto* box = find_ability<HasBox>(manifold);
+  if (box == nullptr) return {};
+  return {box->box_lower(), box->box_upper()};
+}
+
+bool is_among(const std::vector<int>& numbers, int number) {
+  return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
 }  // namespace
 
-Rest::Rest(const Problem& problem, const CoordinatePath& path) {
+Rest::Rest(const Problem& problem, const CoordinatePath& path, const SolvedChain& solved) {
   const auto* bounds = find_ability<SeesBounds>(*problem.manifold);
   if (bounds == nullptr || path.ring || path.u.cols() < 2) return;
   cost_ = problem.cost;
   u_ = path.u;
   reach_ = kReach * (u_.rightCols(u_.cols() - 1) - u_.leftCols(u_.cols() - 1)).colwise().norm().maxCoeff();
-  beside_.resize(static_cast<std::size_t>(path.free_count()));
-  for (Index i = 0; i < path.free_count(); ++i)
-    bounds->bounds_within(path, path.free_begin() + i, reach_, beside_[static_cast<std::size_t>(i)]);
+  std::tie(lower_, upper_) = box_of(*problem.manifold);
+  const auto count = static_cast<std::size_t>(path.free_count());
+  const auto& resting = solved.margins.resting;
+  const bool known = resting.size() == count && is_same(path.u, solved.path.u);
+  beside_.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (known && resting[i].empty()) continue;
+    bounds->bounds_within(path, path.free_begin() + static_cast<Index>(i), reach_, beside_[i]);
+    if (known) std::erase_if(beside_[i], [&](const NearBound& bound) { return !is_among(resting[i], bound.number); });
+  }
 }
 
 /// Bounds that have come near do not matter: they push nothing that is clear of them.
 bool Rest::holds(const Problem& problem, const CoordinatePath& path) const {
   const auto* bounds = find_ability<SeesBounds>(*problem.manifold);
-  if (cost_ == nullptr || bounds == nullptr || problem.cost != cost_ || path.ring || path.u.rows() != u_.rows() ||
-      path.u.cols() != u_.cols() || path.u != u_)
-    return false;
+  if (cost_ == nullptr || bounds == nullptr || problem.cost != cost_ || path.ring || !is_same(path.u, u_)) return false;
+  const auto [lower, upper] = box_of(*problem.manifold);
+  if (!is_same(lower, lower_) || !is_same(upper, upper_)) return false;
   std::vector<NearBound> now;
   for (Index i = 0; i < path.free_count(); ++i) {
     const std::vector<NearBound>& before = beside_[static_cast<std::size_t>(i)];

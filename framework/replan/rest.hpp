@@ -9,6 +9,7 @@
 #include <leastcost/framework/domain/sees_bounds.hpp>
 #include <leastcost/framework/path/path.hpp>
 #include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/framework/replan/solved_chain.hpp>
 
 namespace leastcost {
 
@@ -17,7 +18,8 @@ namespace leastcost {
 class Rest {
  public:
   Rest() = default;
-  Rest(const Problem& problem, const CoordinatePath& path);
+  /// Of the bounds beside points only those count that hold them, if the path is the chain that was solved.
+  Rest(const Problem& problem, const CoordinatePath& path, const SolvedChain& solved);
   /// Whether nothing that held the path has moved. False where that is not known.
   bool holds(const Problem& problem, const CoordinatePath& path) const;
 
@@ -25,6 +27,7 @@ class Rest {
   std::shared_ptr<const SegmentCost> cost_;
   Points u_;
   double reach_ = 0;
+  Eigen::VectorXd lower_, upper_;               ///< of the box that the points are in; empty: none
   std::vector<std::vector<NearBound>> beside_;  ///< of the free points
 };
 

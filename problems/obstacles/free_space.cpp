@@ -565,10 +565,10 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted(const CoordinatePa
   return for_solve(WallMargins(longest_of(positions(*domain_, path), path), thinnest()), agreement);
 }
 
-KeptMargins FreeSpace::kept_margins(const CoordinatePath& path) const {
+KeptMargins FreeSpace::kept_margins(const CoordinatePath& path, const std::map<int, double>& gaps) const {
   const auto* numbers = find_ability<NumbersWalls>(*walls_);
   if (numbers == nullptr) return {};
-  KeptMargins kept{numbers->wall_count(), margins_.widths(), {}};
+  KeptMargins kept{numbers->wall_count(), margins_.widths_for_next(gaps, closeness(positions(*domain_, path))), {}};
   kept.resting.resize(static_cast<std::size_t>(path.free_count()));
   for (Index i = 0; i < path.free_count(); ++i) {
     Point point(*this, path, path.free_begin() + i);
@@ -611,51 +611,26 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted_with(const KeptMar
   return for_solve(WallMargins(longest_of(positions(*domain_, path), path), thinnest(), kept.widths), agreement);
 }
 
-/// A chain that was at rest, among walls that have moved since: its moves are nearer to a wall than its points are by
-/// about what they will be, once the points rest on it.
-void FreeSpace::take_sags(const Points& x, double agree, std::map<int, Wall>& least) const {
-  std::map<int, double> of_points;
-  std::vector<Wall> found;
-  for (Index i = 0; i < x.cols(); ++i) {
-    walls_->near(x.col(i), margins_.widest(), found);
-    for (const Wall& wall : found) {
-      const auto [entry, first] = of_points.try_emplace(wall.obstacle, wall.gap);
-      if (!first) entry->second = std::min(entry->second, wall.gap);
-    }
-  }
-  for (auto& [obstacle, wall] : least) {
-    const auto points = of_points.find(obstacle);
-    if (points == of_points.end()) continue;
-    const double at_rest = margins_.of(wall) + wall.gap - points->second;
-    if (wall.gap < 0 || wall.gap > agree)
-      wall.gap = std::min(wall.gap, at_rest);
-    else
-      wall.gap = at_rest - wall.gap + agree / 2;  // as it is
-  }
+WallMargins::Fit FreeSpace::closeness(const Points& x) const {
+  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
+  return {std::max(agreement_ * extent_of(x), kOn * size), kRounding * size, kSurely * kOn * size};
 }
 
-std::shared_ptr<const ConstraintManifold> FreeSpace::fitted(const CoordinatePath& path) const {
+SegmentFit FreeSpace::fitted(const CoordinatePath& path) const {
   const Points x = positions(*domain_, path);
-  std::map<int, Wall> least;
-  std::vector<Wall> found;
-  const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
-  const double beside = margins_.widest() + kSurely * kOn * size;  // what holds a point is found, if only there
-  for (Index i = 0; i < path.segment_count(); ++i) {
-    walls_->along(x.col(i), x.col((i + 1) % x.cols()), beside, found);
-    for (const Wall& wall : found) {
-      const auto [entry, first] = least.try_emplace(wall.obstacle, wall);
-      if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
-    }
-  }
-  const double agree = std::max(agreement_ * extent_of(x), kOn * size);
-  if (agreement_ > kCloseFit && !margins_.carry()) take_sags(x, agree, least);
-  std::optional<WallMargins> margins =
-      margins_.fitted(least, longest_of(x, path), {agree, kRounding * size, kSurely * kOn * size});
-  if (!margins) return nullptr;
+  const WallMargins::Fit closely = closeness(x);
+  // What holds a point is found, if only there.
+  std::map<int, Wall> least = least_on_moves(*walls_, x, path.segment_count(), margins_.widest() + closely.on);
+  SegmentFit fit;
+  for (const auto& [obstacle, wall] : least) fit.gaps[obstacle] = wall.gap;
+  if (agreement_ > kCloseFit && !margins_.carry()) margins_.take_sags(*walls_, x, closely, least);
+  std::optional<WallMargins> margins = margins_.fitted(least, longest_of(x, path), closely);
+  if (!margins) return fit;
   auto fitted = std::make_shared<FreeSpace>(domain_, walls_);
   fitted->margins_ = std::move(*margins);
   fitted->agreement_ = agreement_;
-  return fitted;
+  fit.domain = std::move(fitted);
+  return fit;
 }
 
 std::vector<MarginCost> FreeSpace::margin_costs(const CoordinatePath& path, const Points& gradient) const {

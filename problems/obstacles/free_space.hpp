@@ -89,8 +89,8 @@ class FreeSpace final : public ConstraintManifold,
 
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath& path,
                                                      double agreement = kCloseFit) const override;
-  std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath& path) const override;
-  KeptMargins kept_margins(const CoordinatePath& path) const override;
+  SegmentFit fitted(const CoordinatePath& path) const override;
+  KeptMargins kept_margins(const CoordinatePath& path, const std::map<int, double>& gaps) const override;
   std::shared_ptr<const ConstraintManifold> unfitted_with(const KeptMargins& kept, const CoordinatePath& path,
                                                           double agreement) const override;
   void carry_along(const KeptMargins& kept, CoordinatePath& path, const Deadline& deadline) const override;
@@ -118,7 +118,7 @@ class FreeSpace final : public ConstraintManifold,
   double slack(const Eigen::VectorXd& x) const;
   double thinnest() const;
   std::shared_ptr<FreeSpace> for_solve(WallMargins margins, double agreement) const;
-  void take_sags(const Points& x, double agree, std::map<int, Wall>& least) const;
+  WallMargins::Fit closeness(const Eigen::MatrixXd& x) const;  ///< of a fit to these places
   void look(Point& point, double reach) const;
   bool anything_near(const Eigen::VectorXd& x, double reach, std::vector<Wall>& found) const;
   void push(Point& point, const Wall& wall, double by) const;

@@ -11,6 +11,7 @@ namespace {
 constexpr double kOverCores = 1.05;   ///< of half a move: what keeps it from passing over a core
 constexpr double kSameLength = 0.02;  ///< relative: by so much moves may be longer without another fit
 constexpr int kLoosened = 6;          ///< fits after which margins only grow, so that they come to an end
+constexpr double kKept = 0.25;        ///< of what a fit allows: costs less than the middle, in as few fits
 
 }  // namespace
 
@@ -29,6 +30,17 @@ std::map<int, double> WallMargins::widths() const {
   std::map<int, double> widths;
   for (const auto& [obstacle, margin] : margins_) widths[obstacle] = margin.width;
   return widths;
+}
+
+/// A gap that a margin of its own does not hold open is left.
+std::map<int, double> WallMargins::widths_for_next(const std::map<int, double>& gaps, const Fit& closely) const {
+  std::map<int, double> next = widths();
+  for (auto& [obstacle, width] : next) {
+    const auto gap = gaps.find(obstacle);
+    if (gap == gaps.end() || gap->second > std::min(closely.agree, width + closely.on)) continue;
+    width = std::max(0.0, width + kKept * closely.agree - std::max(0.0, gap->second));
+  }
+  return next;
 }
 
 double WallMargins::of(const Wall& wall) const {
@@ -87,6 +99,40 @@ std::optional<WallMargins> WallMargins::fitted(const std::map<int, Wall>& least,
     changed = changed || (next.width != last.width && (holds || next.width > now));
   }
   return changed ? std::optional<WallMargins>(std::move(fitted)) : std::nullopt;
+}
+
+void WallMargins::take_sags(const Walls& walls, const Points& x, const Fit& closely, std::map<int, Wall>& least) const {
+  std::map<int, double> of_points;
+  std::vector<Wall> found;
+  for (Index i = 0; i < x.cols(); ++i) {
+    walls.near(x.col(i), widest(), found);
+    for (const Wall& wall : found) {
+      const auto [entry, first] = of_points.try_emplace(wall.obstacle, wall.gap);
+      if (!first) entry->second = std::min(entry->second, wall.gap);
+    }
+  }
+  for (auto& [obstacle, wall] : least) {
+    const auto points = of_points.find(obstacle);
+    if (points == of_points.end()) continue;
+    const double at_rest = of(wall) + wall.gap - points->second;
+    if (wall.gap < 0 || wall.gap > closely.agree)
+      wall.gap = std::min(wall.gap, at_rest);
+    else
+      wall.gap = at_rest - wall.gap + closely.agree / 2;  // as it is
+  }
+}
+
+std::map<int, Wall> least_on_moves(const Walls& walls, const Points& x, Index moves, double reach) {
+  std::map<int, Wall> least;
+  std::vector<Wall> found;
+  for (Index i = 0; i < moves; ++i) {
+    walls.along(x.col(i), x.col((i + 1) % x.cols()), reach, found);
+    for (const Wall& wall : found) {
+      const auto [entry, first] = least.try_emplace(wall.obstacle, wall);
+      if (!first) entry->second.gap = std::min(entry->second.gap, wall.gap);
+    }
+  }
+  return least;
 }
 
 }  // namespace leastcost

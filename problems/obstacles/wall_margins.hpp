@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include <leastcost/framework/path/path.hpp>
 #include <leastcost/problems/obstacles/walls.hpp>
 
 namespace leastcost {
@@ -42,6 +43,13 @@ class WallMargins {
   std::optional<WallMargins> fitted(const std::map<int, Wall>& least, double longest_move, const Fit& closely) const;
 
   std::map<int, double> widths() const;  ///< of obstacles that have one
+  /// The same for the next chain: with these the moves, whose least gaps by obstacle are given, would keep away for
+  /// nothing by a quarter of what a fit allows.
+  std::map<int, double> widths_for_next(const std::map<int, double>& gaps, const Fit& closely) const;
+
+  /// Of a chain that was at rest, among walls that have moved since: its moves are nearer to a wall than its points
+  /// (ambient columns of x) are by about what they will be, once the points rest on it. Into the gaps of moves.
+  void take_sags(const Walls& walls, const Points& x, const Fit& closely, std::map<int, Wall>& least) const;
 
  private:
   /// And what the last fit knew, for a secant.
@@ -57,5 +65,8 @@ class WallMargins {
   double from_cores_before_ = 0;
   int fits_ = 0;
 };
+
+/// The walls with a gap below `reach` on some of the first moves between columns of x, where each is least.
+std::map<int, Wall> least_on_moves(const Walls& walls, const Points& x, Index moves, double reach);
 
 }  // namespace leastcost

@@ -106,6 +106,25 @@ TEST_CASE("replanner: a solved path is kept without a solve until what holds it 
   CHECK(pushed.clearance.value().lower >= -kNothing);
 }
 
+TEST_CASE("replanner: what is beside a solved path but holds no point of it may move") {
+  Replanner planner({std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}),
+                     std::make_shared<WaypointsInitializer>(through({5, 4.16})),
+                     FindOptions{.points = 60, .certificate = {.enabled = false}}});
+  Problem problem = test::across(test::world_of({{5, 5.2, 1}, {5, 3.8, 0.3}}, kKept));
+  planner.replan(problem);
+  const Replan solved = planner.replan(problem);
+  REQUIRE(solved.outcome != ReplanOutcome::no_valid_path);
+  REQUIRE(test::clearance_of(solved.result.curve.x, {{5, 3.8, 0.3}}) < kKept + 0.6 * 9 / 61);  // as far as a look goes
+  problem.manifold = test::world_of({{5, 5.2, 1}, {5.02, 3.79, 0.3}}, kKept);
+  const Replan kept = planner.replan(problem);
+  CHECK(kept.outcome == ReplanOutcome::old_path);
+  CHECK_THAT(kept.why_not_new, Contains("nothing that holds the old path has moved"));
+  problem.manifold = test::world_of({{5, 5.22, 1}, {5.02, 3.79, 0.3}}, kKept);
+  const Replan freed = planner.replan(problem);
+  CHECK(freed.outcome == ReplanOutcome::new_path);
+  CHECK(freed.result.curve.cost < kept.result.curve.cost);
+}
+
 TEST_CASE("replanner: what the last solve kept from obstacles is where the next one begins") {
   Replanner planner({std::make_shared<Newton>(NewtonOptions{.tolerance = 1e-8}), std::make_shared<RrtInitializer>(),
                      FindOptions{.points = 60, .certificate = {.enabled = false}}});

@@ -112,7 +112,7 @@ TEST_CASE("free space: points at rest come with their walls when margins are fit
     CHECK(is_solved(Newton().solve(energy, path, {}).termination));
     const int resting = at_rest(*problem.manifold, path);
     CHECK(resting > 5);
-    const auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path);
+    const auto fitted = find_ability<FitsSegments>(*problem.manifold)->fitted(path).domain;
     if (fitted == nullptr) break;
     problem.manifold = fitted;
     CoordinatePath carried = path;
@@ -194,6 +194,16 @@ TEST_CASE("free space: margins of walls that hold no point change nothing") {
   CHECK(margins.fitted({wall(2, -0.001)}, 0.1, closely).value().widths().at(2) > 0);
 }
 
+TEST_CASE("free space: margins that are kept leave a quarter of what a fit allows") {
+  const WallMargins margins(0.1, 0, {{0, 0.02}, {1, 0.02}, {2, 0.02}, {3, 0.02}});
+  const WallMargins::Fit closely{1e-3, 1e-14, 1e-10};
+  const auto kept = margins.widths_for_next({{0, 0}, {1, 9e-4}, {2, 0.03}}, closely);
+  CHECK(kept.at(0) == Approx(0.02025));
+  CHECK(kept.at(1) == Approx(0.01935));
+  CHECK(kept.at(2) == 0.02);  // it holds no point
+  CHECK(kept.at(3) == 0.02);  // nothing is known of it
+}
+
 TEST_CASE("free space: a chain comes along with the walls that it rested on") {
   const auto among = [](double shift) { return across(plane({disc(0, -0.05 + shift, 1)})); };
   Problem problem = among(0);
@@ -201,7 +211,7 @@ TEST_CASE("free space: a chain comes along with the walls that it rested on") {
   path.u.row(0).setLinSpaced(-2, 2);
   const FittedSolve solved = solve_fitted(problem, Newton(), 4.0 / 41, path, {});
   const auto& fitted = *find_ability<ReusesMargins>(*solved.problem.manifold);
-  const KeptMargins kept = fitted.kept_margins(path);
+  const KeptMargins kept = fitted.kept_margins(path, solved.gaps);
   REQUIRE(kept.walls == 1);
   REQUIRE(kept.widths.size() == 1);
   const auto resting =
@@ -214,7 +224,7 @@ TEST_CASE("free space: a chain comes along with the walls that it rested on") {
     REQUIRE(domain != nullptr);
     CoordinatePath carried = path;
     find_ability<ReusesMargins>(*domain)->carry_along(kept, carried, {});
-    const auto now = find_ability<ReusesMargins>(*domain)->kept_margins(carried).resting;
+    const auto now = find_ability<ReusesMargins>(*domain)->kept_margins(carried, {}).resting;
     CHECK(now == kept.resting);
     CoordinatePath warm = path, cold = path;
     const SolveReport quick = solve_fitted(moved, Newton(), 4.0 / 41, warm, {}, {1e-4, &kept}).report;

@@ -339,9 +339,7 @@ class Restless final : public ConstraintManifold, public ChecksMoves, public Fit
   std::shared_ptr<const ConstraintManifold> unfitted(const CoordinatePath&, double) const override {
     return std::make_shared<Restless>();
   }
-  std::shared_ptr<const ConstraintManifold> fitted(const CoordinatePath&) const override {
-    return std::make_shared<Restless>();
-  }
+  SegmentFit fitted(const CoordinatePath&) const override { return {std::make_shared<Restless>(), {}}; }
   std::vector<MarginCost> margin_costs(const CoordinatePath&, const Points&) const override { return {}; }
 
  private:
