@@ -326,8 +326,8 @@ bool MoveSieve::passes(const Vector& a, const Vector& b, double rounding, double
   }
   thread_local Open met;  // what is in the way of one move is mostly in the way of the next, and looked at first
   const auto is_met = [&](const Open& one) { return one.link == met.link && one.thing == met.thing; };
-  const auto first = std::find_if(open.begin(), open.end(), is_met);
-  if (first != open.end()) std::swap(*first, open.front());
+  const auto known = std::find_if(open.begin(), open.end(), is_met);
+  if (known != open.end()) std::swap(*known, open.front());
   if (!std::isfinite(farthest)) {  // nothing is known of places in between
     left.emplace_back(0, 1);
     return true;
