@@ -75,7 +75,10 @@ double LowerBound::from_vertex(std::int32_t v) const {
 double LowerBound::from_end(const EndPoint& end) const {
   if (!aims_) return 0;
   if (end.vertex >= 0) return from_vertex(end.vertex);
-  return std::max(0.0, (end.position - target_).norm() * kDown - target_error_ - end.error);
+  double best = (end.position - target_).norm() * kDown - target_error_ - end.error;
+  for (const std::int32_t v : mesh_->mesh().face(end.faces.front()))
+    best = std::max(best, (from_vertex(v) - (mesh_->position(v) - end.position).norm() / kDown - end.error) * kDown);
+  return std::max(0.0, best);
 }
 
 void LowerBound::look_from(std::int32_t h, EdgeState& edge) const {

@@ -93,14 +93,15 @@ void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* t
   windows_ = 0;
 
   const double straight = bound.from_end(*source_), edge = mesh_->mean_edge();
+  by_distance_ = limits.by_distance;
   const double slot = bound.aims() ? std::max(edge / kSlotsPerEdge, straight / kFirstSlots) : edge / kSlotsPerEdgeToAll;
-  queue_.begin(straight, slot > 0 ? slot : 1);
+  queue_.begin(by_distance_ ? 0 : straight, slot > 0 ? slot : 1);
   for (const EndPoint& source : sources) start(source);
   std::int64_t steps = 0;
   while (queue_.settle()) {
     if (queue_.floor() >= limit_) break;
     if (is_spent(limits, ++steps)) {
-      open_ = queue_.floor();
+      open_ = by_distance_ ? queue_.least_key() : queue_.floor();
       stopped_ = true;
       break;
     }

@@ -158,6 +158,7 @@ class Propagation {
   double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, open_ = 0;
   std::int32_t target_window_ = -1, target_vertex_ = -1;
   bool stopped_ = false, out_of_memory_ = false, keeps_ = true, sabotaged_ = false;
+  bool by_distance_ = false;  // from the source, else by keys
   Sabotage sabotage_;
   std::int64_t windows_ = 0;
 };

@@ -67,7 +67,12 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
     free_.pop_back();
     pool_[at(id)] = w;
   }
-  queue_.push(key, id);
+  double place = key;
+  if (by_distance_) {
+    const double x = value(w.x), aside = std::clamp(x, value(w.begin), value(w.end)) - x;
+    place = std::min(key, w.sigma + length_in_plane(aside, value(w.height)));
+  }
+  queue_.push(place, key, id);
 }
 
 /// Whether the window is to be left out; makes it narrower else.

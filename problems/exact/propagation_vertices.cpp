@@ -83,7 +83,7 @@ void Propagation<Real>::reach(std::int32_t v, const Found& found, std::int32_t w
     return;
   }
   reach.pending = true;
-  queue_.push(key, ~v);
+  queue_.push(by_distance_ ? std::min(reach.at_least, key) : key, key, ~v);
 }
 
 /// Windows from a vertex that paths bend around: only where both sides of it are at least pi.

@@ -85,6 +85,7 @@ struct QueryLimits {
   std::function<bool()> stop = {};  ///< true: stop; empty: never
   /// Told now and then what no open path is shorter than, and how many windows there were; empty: nobody.
   std::function<void(double, std::int64_t)> watch = {};
+  bool by_distance = false;   ///< the order of windows: from the source outwards, else by keys
   bool keep_windows = false;  ///< without a target: for paths, too, not for distances alone
   Sabotage sabotage = {};
 };

@@ -30,6 +30,14 @@ double WindowQueue::floor() const {
   return origin_ + offset - kSlotRounding * (std::abs(origin_) + offset);
 }
 
+double WindowQueue::least_key() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = current_; i <= highest_; ++i)
+    for (const Entry& entry : slots_[i]) least = std::min(least, entry.key);
+  for (const Entry& entry : later_) least = std::min(least, entry.key);
+  return least;
+}
+
 void WindowQueue::take_spare(std::vector<Entry>& slot) {
   slot.swap(spare_.back());
   spare_.pop_back();
@@ -47,10 +55,10 @@ bool WindowQueue::advance() {
   if (later_.empty()) return false;
   moved_.swap(later_);
   later_.clear();
-  double least = moved_.front().key;
-  for (const Entry& entry : moved_) least = std::min(least, entry.key);
+  double least = moved_.front().place;
+  for (const Entry& entry : moved_) least = std::min(least, entry.place);
   begin(std::max(least, floor()), width_ * kWiden);
-  for (const Entry& entry : moved_) push(entry.key, entry.id);
+  for (const Entry& entry : moved_) push(entry.place, entry.key, entry.id);
   moved_.clear();
   return true;
 }

@@ -8,29 +8,30 @@
 
 namespace leastcost {
 
-/// What is open, by key, in slots of one width: no order within a slot, last in first out, so that a step costs the
-/// same however many wait. No proof rests on the order; `floor()` is a lower bound of all open keys. A key below the
-/// slot in hand counts as in it: what comes from an entry of that slot cannot be less. Keeps its memory.
+/// What is open, by its place in the order, in slots of one width: no order within a slot, last in first out, so that a
+/// step costs the same however many wait. No proof rests on the order. A place is no greater than the key, a lower
+/// bound of what may come of an entry; `floor()` is a lower bound of all open places. A place below the slot in hand
+/// counts as in it: what comes from an entry of that slot cannot be less. Keeps its memory.
 class WindowQueue {
  public:
   struct Entry {
-    double key;
+    double place, key;
     std::int32_t id;
   };
 
-  /// Empties it. Keys are expected from `origin` on; `width` > 0 of the first slots.
+  /// Empties it. Places are expected from `origin` on; `width` > 0 of the first slots.
   void begin(double origin, double width);
-  void push(double key, std::int32_t id) {
-    const double slot = (key - origin_) * per_width_;
+  void push(double place, double key, std::int32_t id) {
+    const double slot = (place - origin_) * per_width_;
     if (!(slot < kSlots)) {
-      later_.push_back({key, id});
+      later_.push_back({place, key, id});
       return;
     }
     std::size_t i = slot > 0 ? static_cast<std::size_t>(slot) : 0;
     if (i < current_) i = current_;
     if (i > highest_) highest_ = i;
     if (slots_[i].capacity() == 0 && !spare_.empty()) take_spare(slots_[i]);
-    slots_[i].push_back({key, id});
+    slots_[i].push_back({place, key, id});
     ++open_;
   }
   /// Goes to the next slot that holds anything; false when nothing is left. floor() is right from then on.
@@ -47,6 +48,8 @@ class WindowQueue {
     return entry;
   }
   double floor() const;
+  /// Of all open entries; looks at each.
+  double least_key() const;
 
  private:
   static constexpr std::size_t kSlots = 4096;

@@ -135,6 +135,26 @@ TEST_CASE("fronts: on a sphere they come near to the distance where the straight
   CHECK(fronts.from_vertex(far) > 0.97 * length);
 }
 
+/// A strip that can be unrolled: all bounds are near to the distance, and all keys alike.
+TEST_CASE("fronts: on a long strip they take no more windows than the straight line") {
+  Random random(11);
+  const TriangleMesh mesh(sheet(1000, 4, [&](double u, double v) {
+    return Eigen::Vector3d(300 * u, 3 * v, std::sin(60 * u) + 0.01 * random.uniform(-1, 1));
+  }));
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  std::int64_t with = 0, without = 0;
+  for (int k = 0; k < 3; ++k) {
+    const SurfacePoint source = vertex_point(mesh, random.integer(0, 1500));
+    const SurfacePoint target = vertex_point(mesh, mesh.vertex_count() - 1 - random.integer(0, 1500));
+    const ExactResult found = search.shortest(source, target, workspace);
+    CHECK(found.is_proved());
+    with += found.windows;
+    without += search.shortest(source, target, workspace, {.fronts = false}).windows;
+  }
+  CHECK(with < 1.3 * static_cast<double>(without));
+}
+
 TEST_CASE("fronts: in any unit a path is proved") {
   const double unit = GENERATE(1e-25, 1e-14, 1e14, 1e25);
   CAPTURE(unit);
