@@ -66,7 +66,7 @@ std::string why_in_clearance(const Problem& problem, const PathEnd& end) {
     if (other->u.size() == end.u.size()) size = std::max(size, other->u.cwiseAbs().maxCoeff());
   const MoveClearance here = obstacles->clearance(x, x);
   if (here.upper >= -kContact * size) return "";
-  const std::string deep = obstacles->depth_text(here.obstacle, -here.upper);
+  std::string deep = obstacles->depth_text(here.obstacle, -here.upper);
   if (!deep.empty()) return deep;
   return "is " + short_number(-here.upper) + " too close to " + obstacles->obstacle_name(here.obstacle);
 }

@@ -15,7 +15,7 @@ std::string why_without_cost(const Problem& problem, const Eigen::VectorXd& u) {
   const SegmentCost& cost = *problem.cost;
   if (!x.allFinite() || x.rows() != cost.dim()) return "";
   if (const auto* explains = find_ability<ExplainsInfinity>(cost)) {
-    const std::string why = explains->why_infinite(x.col(0), x.col(0));
+    std::string why = explains->why_infinite(x.col(0), x.col(0));
     if (!why.empty()) return why;
   }
   if (find_ability<HasChart>(*problem.manifold) != nullptr) return "";

@@ -168,7 +168,8 @@ def _reads_cells(config: Mapping[str, Any], set: Mapping[str, Any]) -> bool:
 
 def _dimension_of(space: Mapping[str, Any]) -> Any:
     """Without the key it is that of the box, else 2."""
-    sides = [side for key in ("lower", "upper") if np.ndim(side := space.get(key)) == 1]
+    given: list[Any] = [space.get(key) for key in ("lower", "upper")]
+    sides = [side for side in given if np.ndim(side) == 1]
     return space.get("dimension", len(sides[0]) if sides else 2)
 
 

@@ -70,7 +70,7 @@ class manifold:
     ) -> dict[str, Any]:
         """R^d, or a box in it.
 
-        dimension: Dimension d of R^d. (>= 1 and <= 64; default: 2)
+        dimension: Dimension d of R^d; not needed if lower or upper is given as a list. (>= 1 and <= 64; default: 2)
         lower: Lower corner of a box, one number per coordinate; default: unbounded. [length]
         upper: Upper corner of a box, one number per coordinate; default: unbounded. [length]
         """
