@@ -13,7 +13,7 @@ namespace leastcost {
 /// A chain that was solved, and what it kept from obstacles: where the next solve begins.
 struct SolvedChain {
   CoordinatePath path;  ///< empty: none
-  KeptMargins margins;
+  KeptMargins margins;  ///< beyond the clearance, and the walls that points rested on
 
   /// Whether some point rested on an obstacle.
   bool is_held() const {

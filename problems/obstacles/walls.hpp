@@ -119,6 +119,7 @@ class HasThinnestCore {
 class NumbersWalls {
  public:
   virtual ~NumbersWalls() = default;
+  /// Number of walls.
   virtual int wall_count() const = 0;
 };
 
