@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "problems/exact/end_point.hpp"
+#include "problems/exact/front.hpp"
 #include "problems/exact/half_edges.hpp"
 #include "problems/exact/large_pages.hpp"
 
@@ -28,7 +29,7 @@ class FrontBound {
   /// Whether fronts gain more than they take, for a way of this length.
   static bool is_worth(const HalfEdges& mesh, double length);
   /// Makes the fronts around the target. The bounds hold for paths from the source that are shorter than `upper`.
-  /// Fewer, or none, where somebody asks to stop; empty: nobody.
+  /// None where somebody asks to stop; empty: nobody.
   void aim(const EndPoint& source, const EndPoint& target, double upper, const std::function<bool()>& stop = {});
   /// Of every path through v: `upper` or more where no path that counts comes by; 0 near the target.
   double from_vertex(std::int32_t v);
@@ -40,45 +41,42 @@ class FrontBound {
  private:
   struct Vertex {
     std::uint32_t query = 0;  ///< that this is of
-    std::int32_t level = 0;   ///< edges from the target
+    std::int32_t level = 0;   ///< edges from the target, or kApart
     std::int32_t front = 0;   ///< that the bound is by; -1: none
     float bound = -1;         ///< negative: not yet asked for
     float gap = 0;            ///< least distance from the points of that front
   };
-  /// Points of a front, relative to the target, with the bounds there; the sag is already taken off.
-  struct Front {
-    std::vector<float> x, y, z, bound;
-    double piece = 0;  ///< no two neighbours are farther apart
+  static constexpr std::int32_t kApart = -1;  ///< of a vertex of a front that no path which counts comes near to
 
-    void clear();
-    void add(const Eigen::Vector3d& place, double at_least);
-    void fill_up();
-  };
-  struct Least {
-    double bound, gap;
-  };
-
-  bool spread(const EndPoint& target, const std::function<bool()>& stop);
+  void start(const EndPoint& target);
+  void spread(std::int32_t level);
+  bool is_apart(std::int32_t v, double sum) const;
   void make_front(std::int32_t level);
   template <class Visit>
-  void each_edge(std::int32_t level, const Visit& visit) const;
-  Least through(const Front& front, const Eigen::Vector3d& place) const;
-  Least at_place(std::int32_t front, const Eigen::Vector3d& position) const;
-  void add_point(Front& front, const Eigen::Vector3d& position) const;
+  void each_edge(std::int32_t v, const Visit& visit) const;
+  void add_edges(Front& front, std::int32_t v, const Front::Least& least);
+  void add_point(Front& front, const Eigen::Vector3d& position, const Front::Least& least) const;
+  Front* before() { return count_ > 0 ? &fronts_[static_cast<std::size_t>(count_) - 1] : nullptr; }
+  Front::Least straight(const Eigen::Vector3d& position) const;
   const Vertex* asked(std::int32_t v);
-  bool is_met(std::int32_t v) const { return vertices_[static_cast<std::size_t>(v)].query == query_; }
+  bool has_seen(std::int32_t v) const { return vertices_[static_cast<std::size_t>(v)].query == query_; }
+  bool is_met(std::int32_t v) const { return has_seen(v) && level(v) != kApart; }
   std::int32_t level(std::int32_t v) const { return vertices_[static_cast<std::size_t>(v)].level; }
+  std::size_t begin_of(std::int32_t level) const { return level > 0 ? end_of(level - 1) : 0; }
+  std::size_t end_of(std::int32_t level) const { return level_end_[static_cast<std::size_t>(level)]; }
 
   const HalfEdges* mesh_;
   LargeVector<Vertex> vertices_;
   std::vector<std::int32_t> met_;       // vertices in the order of their levels
   std::vector<std::size_t> level_end_;  // per level, into met_
+  std::vector<Front::Least> at_front_;  // at the vertices of the front that is made
+  Front::Balls near_;                   // of the front before
   std::vector<Front> fronts_;           // more than count_ where earlier queries had more
   std::int32_t count_ = 0, step_ = 0;
   std::uint32_t query_ = 0;
   Eigen::Vector3d source_ = Eigen::Vector3d::Zero(), target_ = Eigen::Vector3d::Zero();
   double target_error_ = 0, upper_ = 0;
-  double extent_ = 0;    // no vertex that counts has a larger sum of distances from the ends
+  double extent_ = 0;    // no path that counts is longer
   double rounding_ = 0;  // of a bound in floats
 };
 
