@@ -55,9 +55,11 @@ double Propagation<Real>::lower_bound() const {
 /// new one are there.
 template <class Real>
 bool Propagation<Real>::is_spent(const QueryLimits& limits, std::int64_t step) {
-  constexpr double kWaiting = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry)), kTaken = 2 * sizeof(Taken);
-  out_of_memory_ =
-      kWaiting * static_cast<double>(pool_.size()) + kTaken * static_cast<double>(taken_.size()) > limits.max_memory;
+  constexpr double kWaiting = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry)), kTaken = 2 * sizeof(Taken),
+                   kParts = 2 * sizeof(Part);
+  out_of_memory_ = kWaiting * static_cast<double>(pool_.size()) + kTaken * static_cast<double>(taken_.size()) +
+                       kParts * static_cast<double>(parts_.size()) >
+                   limits.max_memory;
   if (out_of_memory_ || windows_ > limits.max_windows) return true;
   if (step % kLook != 0) return false;
   if (limits.watch) limits.watch(queue_.floor(), windows_);
@@ -73,6 +75,7 @@ void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* t
   taken_.clear();
   edges_.clear();
   slivers_.clear();
+  parts_.clear();
   source_ = &sources.front();
   target_ = target;
   bound_ = &bound;

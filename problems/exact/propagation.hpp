@@ -107,6 +107,9 @@ class Propagation {
   bool is_sliver(const Window<Real>& w, const Real& length) const;
   bool stands_for(const Window<Real>& kept, const Window<Real>& w) const;
   bool merged(std::int32_t h, const Real& length, Window<Real>& w);
+  void join(std::int32_t h, const Real& length, Window<Real>& w);
+  std::int32_t keep_part(const Window<Real>& w, std::int32_t next);
+  std::int32_t parent_at(const Taken& w, double place) const;
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t waiting);
@@ -128,8 +131,8 @@ class Propagation {
   void fire_corner(std::int32_t v, const Corner& corner, double from, double to);
   void fire_edge(std::int32_t v, std::int32_t halfedge);
   void trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const;
-  std::int32_t root_of(std::int32_t window) const;
-  std::int32_t side_left(const Taken& w) const;
+  std::int32_t root_of(std::int32_t window) const { return taken_[at(window)].root; }
+  std::int32_t side_left(const Taken& w, std::int32_t parent) const;
   std::int32_t keep(const Window<Real>& w);
   std::int32_t face_between(std::int32_t v, std::int32_t other, const EndPoint& end) const;
   void trace_to_source(std::int32_t vertex, SurfacePath& reversed) const;
@@ -149,6 +152,7 @@ class Propagation {
   LargeVector<Window<Real>> pool_;  // those that wait; a place is used again once its window is taken
   std::vector<std::int32_t> free_;  // such places
   LargeVector<Taken> taken_;        // where paths are asked for
+  std::vector<Part> parts_;         // likewise
   WindowQueue queue_;
   std::uint32_t query_ = 0;
 

@@ -55,6 +55,7 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
   turn_at_ends(h, w);
   if (sabotaged_ && sabotaged(w)) return;
   if (is_sliver(w, length) && merged(h, length, w)) return;
+  join(h, length, w);
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
   w.halfedge = h;
@@ -67,6 +68,7 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
     free_.pop_back();
     pool_[at(id)] = w;
   }
+  edge(h).waiting = id;
   double place = key;
   if (by_distance_) {
     const double x = value(w.x), aside = std::clamp(x, value(w.begin), value(w.end)) - x;
@@ -123,7 +125,7 @@ void Propagation<Real>::turn_at_ends(std::int32_t h, Window<Real>& w) const {
 template <class Real>
 std::int32_t Propagation<Real>::keep(const Window<Real>& w) {
   if (!keeps_) return -1;
-  taken_.push_back({w.halfedge, w.parent, w.root, value(w.begin), value(w.end), value(w.x), value(w.height)});
+  taken_.push_back({w.halfedge, w.parent, w.root, w.parts, value(w.begin), value(w.end), value(w.x), value(w.height)});
   return static_cast<std::int32_t>(taken_.size()) - 1;
 }
 
@@ -131,6 +133,8 @@ template <class Real>
 void Propagation<Real>::propagate(std::int32_t waiting) {
   Window<Real> w = pool_[at(waiting)];
   free_.push_back(waiting);
+  if (w.halfedge < 0) return;  // joined
+  pool_[at(waiting)].halfedge = -1;
   // A shorter way to the root was found since. One to the part itself is seen when its continuations are made.
   if (w.root >= 0 && w.sigma > at_most(w.root)) return;
   const std::int32_t id = keep(w);

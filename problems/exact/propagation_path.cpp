@@ -12,15 +12,15 @@ using exact::kInfinity;
 
 /// The side of the face that a window's paths come from, at the edge that it is on.
 template <class Real>
-std::int32_t Propagation<Real>::side_left(const Taken& w) const {
+std::int32_t Propagation<Real>::side_left(const Taken& w, std::int32_t parent) const {
   const std::int32_t across = mesh_->across(w.halfedge);
   if (across >= 0) return across;
   const std::int32_t root = w.root >= 0 ? w.root : source_->vertex;
   for (const std::int32_t g : forks_.sides(w.halfedge)) {
     if (g == w.halfedge) continue;
-    if (w.parent >= 0 ? taken_[at(w.parent)].halfedge / 3 == g / 3
-        : root >= 0   ? mesh_->tail(TriangleMesh::previous(g)) == root
-                      : std::find(source_->faces.begin(), source_->faces.end(), g / 3) != source_->faces.end())
+    if (parent >= 0 ? taken_[at(parent)].halfedge / 3 == g / 3
+        : root >= 0 ? mesh_->tail(TriangleMesh::previous(g)) == root
+                    : std::find(source_->faces.begin(), source_->faces.end(), g / 3) != source_->faces.end())
       return g;
   }
   return w.halfedge;
@@ -30,18 +30,19 @@ template <class Real>
 void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfacePath& reversed) const {
   while (window >= 0) {
     const Taken& w = taken_[at(window)];
-    const std::int32_t h = w.halfedge, g = side_left(w);
+    const std::int32_t h = w.halfedge;
     const double length = mesh_->side(h).length, x = w.x, height = w.height;
     const double depth = height + towards.y;
     const double at_edge = std::clamp(depth > 0 ? x + (towards.x - x) * height / depth : x, w.begin, w.end);
+    const std::int32_t parent = parent_at(w, at_edge), g = side_left(w, parent);
     const Eigen::Vector3d &a = mesh_->position(mesh_->tail(h)), &b = mesh_->position(mesh_->head(h));
     reversed.faces.push_back(h / 3);
     const double share = at_edge / length;
     reversed.points.push_back(share < 0.5 ? Eigen::Vector3d(a + share * (b - a))
                                           : Eigen::Vector3d(b + (1 - share) * (a - b)));
-    if (w.parent >= 0) {
+    if (parent >= 0) {
       // The same point in the frame of the edge before, one of whose face's other sides g is.
-      const std::int32_t entered = taken_[at(w.parent)].halfedge;
+      const std::int32_t entered = taken_[at(parent)].halfedge;
       const Side<double>& s = mesh_->side(entered);
       const bool on_left = g == TriangleMesh::previous(entered);
       const std::int32_t near = on_left ? mesh_->tail(entered) : mesh_->head(entered);
@@ -51,14 +52,8 @@ void Propagation<Real>::trace_back(std::int32_t window, Point2 towards, SurfaceP
     } else {
       reversed.faces.push_back(g / 3);  // from the root to the first crossing
     }
-    window = w.parent;
+    window = parent;
   }
-}
-
-template <class Real>
-std::int32_t Propagation<Real>::root_of(std::int32_t window) const {
-  while (taken_[at(window)].parent >= 0) window = taken_[at(window)].parent;
-  return taken_[at(window)].root;
 }
 
 /// A face that a straight piece from vertex v runs in: to a vertex, or (-1) to an end of the query.

@@ -13,10 +13,11 @@ namespace leastcost {
 /// (x, -height) where the edge runs from (0, 0) to (length, 0). Length units.
 template <class Real>
 struct Window {
-  std::int32_t halfedge = -1;
-  std::int32_t parent = -1;  ///< window it came from, by its number among those taken, or -1: it starts at the root
-  std::int32_t root = -1;    ///< vertex that the paths bend around, or -1: the source
-  double sigma = 0;          ///< no path to the root is shorter
+  std::int32_t halfedge = -1;  ///< -1: it is no longer open
+  std::int32_t parent = -1;    ///< window it came from, by its number among those taken, or -1: it starts at the root
+  std::int32_t root = -1;      ///< vertex that the paths bend around, or -1: the source
+  std::int32_t parts = -1;     ///< first of the parts that it was joined from, or -1: it is one part
+  double sigma = 0;            ///< no path to the root is shorter
   Real begin = 0, end = 0, x = 0, height = 0;
   double error = 0;  ///< the image is this near to where exact numbers would put it
   /// There is a path to every point of the part that is at most this much longer than sigma and the straight distance
@@ -27,8 +28,14 @@ struct Window {
 
 /// What is left of a window that was taken: what a path through it is traced by, half of its memory.
 struct Taken {
-  std::int32_t halfedge = -1, parent = -1, root = -1;  ///< as in the window; the parent is one that was taken
-  double begin = 0, end = 0, x = 0, height = 0;        ///< likewise
+  std::int32_t halfedge = -1, parent = -1, root = -1, parts = -1;  ///< as in the window; parents were taken before
+  double begin = 0, end = 0, x = 0, height = 0;                    ///< likewise
+};
+
+/// Of a window that was joined.
+struct Part {
+  double begin = 0, end = 0;            ///< as in the window
+  std::int32_t parent = -1, next = -1;  ///< where it came from; the next part, or -1
 };
 
 /// What is known of a vertex that paths were found to.
@@ -58,6 +65,7 @@ struct EdgeState {
   /// The best window that sees the third corner over the edge: of two such windows the worse one need not go on on the
   /// far side of the better one's ray (Chen and Han 1990).
   double apex_at_most = std::numeric_limits<double>::infinity(), apex_crossing = 0, apex_margin = 0;
+  std::int32_t waiting = -1;  ///< the last window that entered over the edge, by its place in memory, or -1
   std::int32_t slivers = -1;  ///< first of the slivers that entered over the edge, or -1
 };
 
