@@ -107,7 +107,7 @@ class Propagation {
   bool is_sliver(const Window<Real>& w, const Real& length) const;
   bool stands_for(const Window<Real>& kept, const Window<Real>& w) const;
   bool merged(std::int32_t h, const Real& length, Window<Real>& w);
-  void join(std::int32_t h, const Real& length, Window<Real>& w);
+  bool join(std::int32_t h, const Real& length, Window<Real>& w);
   std::int32_t keep_part(const Window<Real>& w, std::int32_t next);
   std::int32_t parent_at(const Taken& w, double place) const;
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;

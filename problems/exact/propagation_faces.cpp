@@ -54,8 +54,7 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
   w.rise += 4 * kRoundingOf<Real> * value(length);
   turn_at_ends(h, w);
   if (sabotaged_ && sabotaged(w)) return;
-  if (is_sliver(w, length) && merged(h, length, w)) return;
-  join(h, length, w);
+  if (!join(h, length, w) && is_sliver(w, length) && merged(h, length, w)) return;
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
   w.halfedge = h;
@@ -107,16 +106,16 @@ double Propagation<Real>::rest_through(std::int32_t h, const Window<Real>& w) {
   return bound_->through(edge(h), mesh_->side(h).length, value(w.begin), value(w.end), {value(w.x), value(w.height)});
 }
 
-/// What goes through a vertex that may be flat or a little more may turn there, by what its angle leaves open: as if
-/// the image were off by that.
+/// What goes through a vertex that may be flat or a little more may turn there, by what its angle leaves open: it goes
+/// on as if the image were off by that. In the plane of the image it is no shorter than the straight line.
 template <class Real>
 void Propagation<Real>::turn_at_ends(std::int32_t h, Window<Real>& w) const {
   const std::int32_t tail = mesh_->tail(h), head = mesh_->head(h);
   const double x = value(w.x), height = value(w.height), length = mesh_->side(h).length;
   if (mesh_->kind(tail) == VertexKind::flat && !(value(w.begin) > 0))
-    w.error += mesh_->turn_error(tail) * (std::abs(x) + height);
+    w.turned += mesh_->turn_error(tail) * (std::abs(x) + height);
   if (mesh_->kind(head) == VertexKind::flat && !(value(w.end) < length))
-    w.error += mesh_->turn_error(head) * (std::abs(length - x) + height);
+    w.turned += mesh_->turn_error(head) * (std::abs(length - x) + height);
 }
 
 // ---------------------------------------------------------------- over a face
@@ -153,10 +152,10 @@ void Propagation<Real>::propagate(std::int32_t waiting) {
   const Real crossing = w.x + aside * w.height / (s.y + w.height);
   const double depth = height + y, per_depth = 1 / depth, about = std::abs(value(aside)) + depth;
   const double image_error = w.error + 2 * kSideError * kRoundingOf<Real> * about;
-  const double margin = 2 * image_error < depth
-                            ? 2 * image_error * about * y * per_depth * per_depth +
-                                  8 * kRoundingOf<Real> * (value(s.length) + std::abs(value(crossing)))
-                            : kInfinity;
+  const double off = image_error + w.turned;  // of what comes through the edge
+  const double margin = 2 * off < depth ? 2 * off * about * y * per_depth * per_depth +
+                                              8 * kRoundingOf<Real> * (value(s.length) + std::abs(value(crossing)))
+                                        : kInfinity;
   const double after_begin = value(Real(crossing - w.begin)), before_end = value(Real(w.end - crossing));
   bool left = after_begin > -margin, right = before_end > -margin;
   if (left && right) {
@@ -214,6 +213,8 @@ void Propagation<Real>::leave(const Exit& exit, const Real& b0, const Real& b1, 
   if (!(next.height > zero)) next.height = zero;  // paths cross from the near side: nearer to the truth
   const double height = value(w.height), x = value(w.x), image = std::abs(x) + height;
   next.error = w.error + 2 * kSideError * kRoundingOf<Real> * image;
+  next.turned = w.turned;
+  const double off = next.error + next.turned;
   const double nx = value(next.x), nh = value(next.height), ux = value(exit.ux), uy = value(exit.uy);
   const double length = value(exit.length);
 
@@ -226,12 +227,12 @@ void Propagation<Real>::leave(const Exit& exit, const Real& b0, const Real& b1, 
   // pieces before and behind the crossing are bounded without a root, from below and from above.
   const auto widening = [&](double from, double t, double all, double& angle) {
     const double before = std::max(height, std::abs(from - x)), sine_by = nh * before;
-    if (!(2 * next.error * all < sine_by)) {
+    if (!(2 * off * all < sine_by)) {
       angle = kInfinity;
       return kInfinity;
     }
     const double beyond = std::abs(t * ux - from) + t * uy + 4 * kEpsilon * all;
-    const double by = 2 * next.error * beyond + 3 * kSideError * kRoundingOf<Real> * (all + t) * before;
+    const double by = 2 * off * beyond + 3 * kSideError * kRoundingOf<Real> * (all + t) * before;
     angle = by / (before * all);
     return by * all / sine_by;
   };
@@ -298,14 +299,15 @@ void Propagation<Real>::see_corner(const Window<Real>& w, std::int32_t id, doubl
   const double most = w.sigma + distance + w.rise + w.error + rounding;
   const VertexKind kind = mesh_->kind(v);
   double direction = 0, slack = kInfinity;
-  if (least <= at_most(v) && (kind == VertexKind::saddle || kind == VertexKind::border) && distance > 8 * w.error) {
+  if (least <= at_most(v) && (kind == VertexKind::saddle || kind == VertexKind::border) &&
+      distance > 8 * (w.error + w.turned)) {
     const Side<double>& s = mesh_->side(w.halfedge);
     // From the corner: its half-edge leads to (0, 0), the image is at (x, -height).
     const double ax = -s.x, ay = -s.y, ix = value(w.x) - s.x, iy = -value(w.height) - s.y;
     const double angle = std::abs(std::atan2(ax * iy - ay * ix, ax * ix + ay * iy));
     const Corner& place = mesh_->corner(corner);
     direction = place.forward ? place.begin + angle : place.end - angle;
-    slack = 2 * w.error / distance + w.spread + 2 * kSideError * kEpsilon + mesh_->turn_error(v);
+    slack = 2 * (w.error + w.turned) / distance + w.spread + 2 * kSideError * kEpsilon + mesh_->turn_error(v);
   }
   const double to_root = w.root < 0 ? 0 : reach_[at(w.root)].about;
   reach(v, {least, most, to_root + distance}, id, -1, direction, slack);
@@ -325,12 +327,11 @@ void Propagation<Real>::see_target(const Window<Real>& w, std::int32_t id) {
   const double ty = edge.cross(near_a ? from_a : from_b).norm() / length;
   const double x = value(w.x), height = value(w.height);
   const double place = target_->error + 2 * kSideError * kEpsilon * from_a.norm();
+  const double off = w.error + w.turned + place;
   const double distance = length_in_plane(tx - x, height + ty);
   const double crossing = height + ty > 0 ? x + (tx - x) * height / (height + ty) : x;
   const double depth = height + ty;
-  const double margin = 2 * (w.error + place) < depth
-                            ? 2 * (w.error + place) * (distance + place) / depth + 8 * kEpsilon * length
-                            : kInfinity;
+  const double margin = 2 * off < depth ? 2 * off * (distance + place) / depth + 8 * kEpsilon * length : kInfinity;
   const double beside = std::max({0.0, value(w.begin) - crossing, crossing - value(w.end)});
   if (beside > margin) return;
   const double rounding = 8 * kEpsilon * (w.sigma + distance) + place;

@@ -14,19 +14,24 @@ using exact::value;
 namespace {
 
 constexpr double kRoundings = 64;  // images no farther apart than this are one
+/// A part that rays graze raises what is known of all that it is joined with. Without a target, where distances are
+/// delivered from both sides, no more than this, relative.
+constexpr double kLoose = 1e-10;
 
 }  // namespace
 
 /// With the window that waits over the edge of h already, if both are parts of one: that one waits no longer.
 template <class Real>
-void Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w) {
+bool Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w) {
   const std::int32_t waiting = edge(h).waiting;
-  if (waiting < 0) return;
+  if (waiting < 0) return false;
   Window<Real>& other = pool_[at(waiting)];
-  if (other.halfedge != h || other.root != w.root || other.sigma != w.sigma) return;
-  if (other.begin > w.end || w.begin > other.end) return;
+  if (other.halfedge != h || other.root != w.root || other.sigma != w.sigma) return false;
+  if (other.begin > w.end || w.begin > other.end || is_sliver(other, length)) return false;
   const double apart = std::abs(value(Real(other.x - w.x))) + std::abs(value(Real(other.height - w.height)));
-  if (apart > kRoundings * kRoundingOf<Real> * (std::abs(value(w.x)) + value(w.height) + value(length))) return;
+  if (apart > kRoundings * kRoundingOf<Real> * (std::abs(value(w.x)) + value(w.height) + value(length))) return false;
+  const double rise = std::max(w.rise, other.rise) + apart;
+  if (!bound_->aims() && rise > kLoose * (w.sigma + std::abs(value(w.x)) + value(w.height))) return false;
 
   if (keeps_) {
     if (w.parts < 0) w.parts = keep_part(w, -1);
@@ -42,12 +47,20 @@ void Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w
       }
     }
   }
+  // By the image that may be off by more: the other one is as near to that, or hardly farther.
+  if (w.error < other.error) {
+    std::swap(w.x, other.x);
+    std::swap(w.height, other.height);
+    std::swap(w.error, other.error);
+  }
   w.error = std::max(w.error, other.error + apart);
-  w.rise = std::max(w.rise, other.rise + apart);
+  w.turned = std::max(w.turned, other.turned);
+  w.rise = rise;
   w.spread = std::max(w.spread, other.spread);
   w.begin = std::min(w.begin, other.begin);
   w.end = std::max(w.end, other.end);
   other.halfedge = -1;
+  return true;
 }
 
 /// Remembers where a window that is joined came from, before the parts from `next` on.
@@ -73,9 +86,9 @@ std::int32_t Propagation<Real>::parent_at(const Taken& w, double place) const {
   return parent;
 }
 
-template void Propagation<double>::join(std::int32_t, const double&, Window<double>&);
+template bool Propagation<double>::join(std::int32_t, const double&, Window<double>&);
 template std::int32_t Propagation<double>::parent_at(const Taken&, double) const;
-template void Propagation<DoubleDouble>::join(std::int32_t, const DoubleDouble&, Window<DoubleDouble>&);
+template bool Propagation<DoubleDouble>::join(std::int32_t, const DoubleDouble&, Window<DoubleDouble>&);
 template std::int32_t Propagation<DoubleDouble>::parent_at(const Taken&, double) const;
 
 }  // namespace leastcost

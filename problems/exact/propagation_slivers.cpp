@@ -30,7 +30,7 @@ template <class Real>
 bool Propagation<Real>::stands_for(const Window<Real>& kept, const Window<Real>& w) const {
   if (kept.root != w.root || kept.sigma > w.sigma || kept.begin > w.begin || kept.end < w.end) return false;
   const double apart = std::abs(value(Real(kept.x - w.x))) + std::abs(value(Real(kept.height - w.height)));
-  return w.error + apart * (1 + 4 * exact::kEpsilon) <= kept.error;
+  return w.error + apart * (1 + 4 * exact::kEpsilon) <= kept.error && w.turned <= kept.turned;
 }
 
 /// Of a sliver over the edge of h: true where one before stands for it. Else it is made to stand for those to come.
@@ -45,6 +45,7 @@ bool Propagation<Real>::merged(std::int32_t h, const Real& length, Window<Real>&
   const double more = kRoundings * kRoundingOf<Real> * (std::abs(x) + height + value(length));
   if (!(more < kSliver * distance)) return false;  // the root is as near as that
   w.error += more;
+  w.turned += more;
   w.begin = w.begin - Real(more) > Real(0.0) ? Real(w.begin - Real(more)) : Real(0.0);
   w.end = w.end + Real(more) < length ? Real(w.end + Real(more)) : length;
   w.rise += 2 * more;

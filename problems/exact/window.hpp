@@ -20,6 +20,9 @@ struct Window {
   double sigma = 0;            ///< no path to the root is shorter
   Real begin = 0, end = 0, x = 0, height = 0;
   double error = 0;  ///< the image is this near to where exact numbers would put it
+  /// Paths through flat vertices may come from places that are off by this much more: they may turn there, but turning
+  /// makes no path shorter.
+  double turned = 0;
   /// There is a path to every point of the part that is at most this much longer than sigma and the straight distance
   /// from the image: what the root's own distance, and the widening of the part at each edge, may have cost.
   double rise = 0;

@@ -9,6 +9,7 @@
 #include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/mesh/edge_graph.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/lower_bound.hpp"
 #include "tests/problems/sample_meshes.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/random.hpp"
