@@ -53,6 +53,68 @@ QueryLimits limits_of(const ExactOptions& options) {
   return limits;
 }
 
+/// What is known of one pair, from the path that the query began with on.
+class PairKnowledge {
+ public:
+  PairKnowledge(const TriangleMesh& mesh, const ExactOptions& options) : mesh_(&mesh), options_(&options) {
+    if (options.start == nullptr) return;
+    know(*options.start);
+    given_ = result.length;
+  }
+
+  void know(SurfacePath path) {
+    if (path.points.empty()) return;
+    result.length = rounded_up(path);
+    result.path = std::move(path);
+  }
+
+  /// For the next run: shorter paths are sought, with the windows that are left.
+  QueryLimits limits() const {
+    QueryLimits limits = limits_of(*options_);
+    limits.upper = result.length;
+    limits.slack = kSearchShare * options_->tolerance;
+    limits.max_windows -= std::min(limits.max_windows, result.windows);
+    return limits;
+  }
+
+  /// Takes over what a run found; true when nothing more is to be done.
+  template <class Real>
+  bool take(const Propagation<Real>& run) {
+    result.windows += run.windows();
+    if (run.found() < result.length * (1 - kSearchShare * options_->tolerance) || result.path.points.empty()) {
+      SurfacePath path = straightened(*mesh_, run.path());
+      if (!path.points.empty() && rounded_up(path) < result.length) know(std::move(path));
+    }
+    result.lower_bound = std::min(std::max(result.lower_bound, run.lower_bound()), result.length);
+    const double open = result.length - result.lower_bound;
+    // Infinite both: there is no path, and that is proved.
+    result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
+    if (std::isinf(result.length) && std::isfinite(result.lower_bound))
+      result.gap = std::numeric_limits<double>::infinity();
+    if (result.gap <= options_->tolerance) {
+      const bool shorter = std::isfinite(given_) && result.length < given_ * (1 - options_->tolerance);
+      result.outcome = shorter ? ExactOutcome::improved : ExactOutcome::proved;
+      return true;
+    }
+    if (run.stopped()) {
+      result.outcome = ExactOutcome::bounded;
+      result.out_of_memory = run.out_of_memory();
+      return true;
+    }
+    result.outcome = ExactOutcome::blocked;
+    result.reason = run.blocked() ? "a shorter path could cross a degenerate face"
+                                  : "the rounding error is larger than the tolerance";
+    return false;
+  }
+
+  ExactResult result;
+
+ private:
+  const TriangleMesh* mesh_;
+  const ExactOptions* options_;
+  double given_ = std::numeric_limits<double>::infinity();
+};
+
 }  // namespace
 
 struct ExactSearch::Tables {
@@ -63,6 +125,36 @@ struct ExactSearch::Tables {
 
 struct ExactSearch::Workspace::Parts {
   explicit Parts(const HalfEdges& mesh) : edges(&mesh), quick(mesh), fronts(mesh) {}
+
+  /// Fronts around the target, for paths shorter than the known one, or than one that is made for it; null where the
+  /// straight line is as good.
+  FrontBound* aim_fronts(const EndPoint& from, const EndPoint& to, const SurfacePoint& source,
+                         const SurfacePoint& target, const StopPredicate& stop, PairKnowledge& known) {
+    const double straight = (from.position - to.position).norm();
+    if (std::isinf(known.result.length) && FrontBound::is_worth(*edges, straight))
+      known.know(likely_path(source, target, stop));
+    if (std::isinf(known.result.length) || !(straight < kStraight * known.result.length)) return nullptr;
+    fronts.aim(from, to, known.result.length, stop);
+    return fronts.helps() ? &fronts : nullptr;
+  }
+
+  /// In double precision; with fronts first in the order of keys. True when nothing more is to be done.
+  bool run_quick(const EndPoint& from, const EndPoint& to, const LowerBound& bound, bool with_fronts,
+                 PairKnowledge& known) {
+    QueryLimits limits = known.limits();
+    const std::int64_t by_keys = kByKeys * edges->mesh().vertex_count(), allowed = limits.max_windows;
+    if (with_fronts && by_keys < allowed) {
+      limits.max_windows = by_keys;
+      quick.run(from, &to, bound, limits);
+      const bool goes_on = quick.windows() > by_keys && !quick.out_of_memory();
+      const bool done = known.take(quick);
+      if (known.result.is_proved() || !goes_on) return done;
+      limits = known.limits();
+      limits.by_distance = true;
+    }
+    quick.run(from, &to, bound, limits);
+    return known.take(quick);
+  }
 
   /// A path that is likely to be the shortest; empty where none is found.
   SurfacePath likely_path(const SurfacePoint& source, const SurfacePoint& target, const StopPredicate& stop) {
@@ -102,88 +194,23 @@ void ExactSearch::use(Landmarks landmarks) {
 ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint& target, Workspace& workspace,
                                   const ExactOptions& options) const {
   const HalfEdges& edges = tables_->edges;
-  const TriangleMesh& mesh = edges.mesh();
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
-  const bool with_landmarks = options.landmarks && tables_->landmarks.count() > 0;
-  ExactResult result;
-  double start = std::numeric_limits<double>::infinity();
-  if (options.start != nullptr) {
-    result.path = *options.start;
-    result.length = start = rounded_up(result.path);
-  }
-  FrontBound* fronts = nullptr;
-  const double straight = (from.position - to.position).norm();
-  if (options.fronts) {
-    if (options.start == nullptr && FrontBound::is_worth(edges, straight)) {
-      result.path = parts.likely_path(source, target, options.stop);
-      if (!result.path.points.empty()) result.length = rounded_up(result.path);
-    }
-    if (std::isfinite(result.length) && straight < kStraight * result.length) {
-      parts.fronts.aim(from, to, result.length, options.stop);
-      if (parts.fronts.helps()) fronts = &parts.fronts;
-    }
-  }
-  result.bound = "euclid";
-  if (with_landmarks) result.bound += " + " + std::to_string(tables_->landmarks.count()) + " landmarks";
-  if (fronts != nullptr) result.bound += " + fronts";
-  const LowerBound bound(edges, &to, with_landmarks ? &tables_->landmarks : nullptr, fronts);
-  // What a propagation found is taken over; true when nothing more is to be done.
-  const auto take = [&](const auto& run) {
-    result.windows += run.windows();
-    if (run.found() < result.length * (1 - kSearchShare * options.tolerance) || result.path.points.empty()) {
-      SurfacePath path = straightened(mesh, run.path());
-      const double length = path.points.empty() ? std::numeric_limits<double>::infinity() : rounded_up(path);
-      if (length < result.length) {
-        result.length = length;
-        result.path = std::move(path);
-      }
-    }
-    result.lower_bound = std::min(std::max(result.lower_bound, run.lower_bound()), result.length);
-    const double open = result.length - result.lower_bound;
-    // Infinite both: there is no path, and that is proved.
-    result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
-    if (std::isinf(result.length) && std::isfinite(result.lower_bound))
-      result.gap = std::numeric_limits<double>::infinity();
-    if (result.gap <= options.tolerance) {
-      result.outcome = result.length < start * (1 - options.tolerance) && std::isfinite(start) ? ExactOutcome::improved
-                                                                                               : ExactOutcome::proved;
-      return true;
-    }
-    if (run.stopped()) {
-      result.outcome = ExactOutcome::bounded;
-      result.out_of_memory = run.out_of_memory();
-      return true;
-    }
-    result.outcome = ExactOutcome::blocked;
-    result.reason = run.blocked() ? "a shorter path could cross a degenerate face"
-                                  : "the rounding error is larger than the tolerance";
-    return false;
-  };
+  PairKnowledge known(edges.mesh(), options);
+  FrontBound* const fronts = options.fronts ? parts.aim_fronts(from, to, source, target, options.stop, known) : nullptr;
+  const Landmarks* const landmarks =
+      options.landmarks && tables_->landmarks.count() > 0 ? &tables_->landmarks : nullptr;
+  known.result.bound = "euclid";
+  if (landmarks != nullptr) known.result.bound += " + " + std::to_string(landmarks->count()) + " landmarks";
+  if (fronts != nullptr) known.result.bound += " + fronts";
+  const LowerBound bound(edges, &to, landmarks, fronts);
+  if (parts.run_quick(from, to, bound, fronts != nullptr, known)) return std::move(known.result);
 
-  QueryLimits limits = limits_of(options);
-  limits.upper = result.length;
-  limits.slack = kSearchShare * options.tolerance;
-  const std::int64_t by_keys = kByKeys * mesh.vertex_count(), allowed = limits.max_windows;
-  if (fronts != nullptr && by_keys < allowed) {
-    limits.max_windows = by_keys;
-    parts.quick.run(from, &to, bound, limits);
-    limits.by_distance = parts.quick.windows() > by_keys && !parts.quick.out_of_memory();
-    if (take(parts.quick) && (result.is_proved() || !limits.by_distance)) return result;
-    limits.upper = result.length;
-    limits.max_windows = allowed - std::min(allowed, result.windows);
-  }
-  if (fronts == nullptr || by_keys >= allowed || limits.by_distance) {
-    parts.quick.run(from, &to, bound, limits);
-    if (take(parts.quick)) return result;
-  }
   if (!parts.fine) parts.fine = std::make_unique<Propagation<DoubleDouble>>(edges);
-  limits.upper = result.length;
-  limits.max_windows = allowed - std::min(allowed, result.windows);
-  result.twice_the_digits = true;
-  parts.fine->run(from, &to, bound, limits);
-  take(*parts.fine);
-  return result;
+  known.result.twice_the_digits = true;
+  parts.fine->run(from, &to, bound, known.limits());
+  known.take(*parts.fine);
+  return std::move(known.result);
 }
 
 ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& workspace,

@@ -34,18 +34,8 @@ bool Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w
   if (!bound_->aims() && rise > kLoose * (w.sigma + std::abs(value(w.x)) + value(w.height))) return false;
 
   if (keeps_) {
-    if (w.parts < 0) w.parts = keep_part(w, -1);
-    // The parts of the other one, which may be several, each with its own parent.
-    if (other.parts < 0) {
-      w.parts = keep_part(other, w.parts);
-    } else {
-      for (std::int32_t i = other.parts; i >= 0;) {
-        const std::int32_t next = parts_[at(i)].next;
-        parts_[at(i)].next = w.parts;
-        w.parts = i;
-        i = next;
-      }
-    }
+    const std::int32_t others = other.parts >= 0 ? other.parts : keep_part(other, -1);
+    w.parts = keep_part(w, others);
   }
   // By the image that may be off by more: the other one is as near to that, or hardly farther.
   if (w.error < other.error) {
@@ -63,7 +53,7 @@ bool Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w
   return true;
 }
 
-/// Remembers where a window that is joined came from, before the parts from `next` on.
+/// Remembers where one part of a window came from, before the parts from `next` on.
 template <class Real>
 std::int32_t Propagation<Real>::keep_part(const Window<Real>& w, std::int32_t next) {
   parts_.push_back({value(w.begin), value(w.end), w.parent, next});
