@@ -129,12 +129,13 @@ struct ExactSearch::Workspace::Parts {
   /// Fronts around the target, for paths shorter than the known one, or than one that is made for it; null where the
   /// straight line is as good.
   FrontBound* aim_fronts(const EndPoint& from, const EndPoint& to, const SurfacePoint& source,
-                         const SurfacePoint& target, const StopPredicate& stop, PairKnowledge& known) {
+                         const SurfacePoint& target, const Landmarks* landmarks, const StopPredicate& stop,
+                         PairKnowledge& known) {
     const double straight = (from.position - to.position).norm();
     if (std::isinf(known.result.length) && FrontBound::is_worth(*edges, straight))
       known.know(likely_path(source, target, stop));
     if (std::isinf(known.result.length) || !(straight < kStraight * known.result.length)) return nullptr;
-    fronts.aim(from, to, known.result.length, stop);
+    fronts.aim(from, to, known.result.length, LowerBound(*edges, &from, landmarks), stop);
     return fronts.helps() ? &fronts : nullptr;
   }
 
@@ -197,9 +198,10 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
   PairKnowledge known(edges.mesh(), options);
-  FrontBound* const fronts = options.fronts ? parts.aim_fronts(from, to, source, target, options.stop, known) : nullptr;
   const Landmarks* const landmarks =
       options.landmarks && tables_->landmarks.count() > 0 ? &tables_->landmarks : nullptr;
+  FrontBound* const fronts =
+      options.fronts ? parts.aim_fronts(from, to, source, target, landmarks, options.stop, known) : nullptr;
   known.result.bound = "euclid";
   if (landmarks != nullptr) known.result.bound += " + " + std::to_string(landmarks->count()) + " landmarks";
   if (fronts != nullptr) known.result.bound += " + fronts";

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include "problems/exact/front_bound.hpp"
+#include "problems/exact/lower_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,8 @@ bool FrontBound::is_worth(const HalfEdges& mesh, double length) {
   return length >= kWorth * kLeastStep * mesh.mean_edge();
 }
 
-void FrontBound::aim(const EndPoint& source, const EndPoint& target, double upper, const std::function<bool()>& stop) {
+void FrontBound::aim(const EndPoint& source, const EndPoint& target, double upper, const LowerBound& to_source,
+                     const std::function<bool()>& stop) {
   ++query_;
   count_ = 0;
   source_ = source.position;
@@ -49,7 +51,7 @@ void FrontBound::aim(const EndPoint& source, const EndPoint& target, double uppe
       return;
     }
     level_end_.push_back(met_.size());
-    if (level > 0 && level % step_ == 0) make_front(level);
+    if (level > 0 && level % step_ == 0) make_front(level, to_source);
     spread(level);
   }
 }
@@ -110,7 +112,7 @@ void FrontBound::each_edge(std::int32_t v, const Visit& visit) const {
 }
 
 /// Of the vertices of this level; those that turn out to be too far from the ends are taken away.
-void FrontBound::make_front(std::int32_t level) {
+void FrontBound::make_front(std::int32_t level, const LowerBound& to_source) {
   if (static_cast<std::size_t>(count_) == fronts_.size()) fronts_.emplace_back();
   Front& front = fronts_[static_cast<std::size_t>(count_)];
   const std::size_t begin = begin_of(level), end = end_of(level);
@@ -118,7 +120,7 @@ void FrontBound::make_front(std::int32_t level) {
   for (std::size_t i = begin; i < end; ++i) {
     const Eigen::Vector3d& p = mesh_->position(met_[i]);
     at_front_.push_back(before() != nullptr ? before()->through(p - target_) : straight(p));
-    if (is_apart(met_[i], at_front_.back().bound - rounding_ + (p - source_).norm()))
+    if (is_apart(met_[i], at_front_.back().bound - rounding_ + to_source.from_vertex(met_[i])))
       vertices_[static_cast<std::size_t>(met_[i])].level = kApart;
   }
   double all = 0;
