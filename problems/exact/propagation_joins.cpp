@@ -13,7 +13,7 @@ namespace leastcost {
 using exact::value;
 namespace {
 
-constexpr double kRoundings = 64;  // images no farther apart than this are one
+constexpr double kSameImage = 64;  // images no farther apart than this are one
 /// A part that rays graze raises what is known of all that it is joined with. Without a target, where distances are
 /// delivered from both sides, no more than this, relative.
 constexpr double kLoose = 1e-10;
@@ -29,7 +29,7 @@ bool Propagation<Real>::join(std::int32_t h, const Real& length, Window<Real>& w
   if (other.halfedge != h || other.root != w.root || other.sigma != w.sigma) return false;
   if (other.begin > w.end || w.begin > other.end || is_sliver(other, length)) return false;
   const double apart = std::abs(value(Real(other.x - w.x))) + std::abs(value(Real(other.height - w.height)));
-  if (apart > kRoundings * kRoundingOf<Real> * (std::abs(value(w.x)) + value(w.height) + value(length))) return false;
+  if (apart > kSameImage * kRoundingOf<Real> * (std::abs(value(w.x)) + value(w.height) + value(length))) return false;
   const double rise = std::max(w.rise, other.rise) + apart;
   if (!bound_->aims() && rise > kLoose * (w.sigma + std::abs(value(w.x)) + value(w.height))) return false;
 
