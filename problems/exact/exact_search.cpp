@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -26,6 +27,18 @@ constexpr double kSameDistance = 1e-12;  // relative: rounding leaves nobody out
 
 double rounded_up(const SurfacePath& path) {
   return path_length(path) * (1 + static_cast<double>(path.points.size() + 8) * kRoundingOf<double>);
+}
+
+/// By how much rounding of its points and ends may change the length of a path, relative: of what is far from the
+/// origin positions are known less well than lengths.
+double rounding_of_places(const SurfacePath& path, double length, const EndPoint& from, const EndPoint& to) {
+  constexpr double kMost = 1e-3, kRoundings = 4;  // of a position, at the ends of each segment
+  double largest = 0;
+  for (const Eigen::Vector3d& x : path.points) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  const double points =
+      kRoundings * std::numeric_limits<double>::epsilon() * largest * static_cast<double>(path.points.size());
+  // Above and below: the ends of the bound, and those of the path.
+  return length > 0 ? std::min(kMost, (points + 2 * (from.error + to.error)) / length) : 0;
 }
 
 /// The path of a propagation, straightened exactly; as it is where straightening is not defined. It is as short as can
@@ -145,9 +158,10 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
     result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
     if (std::isinf(result.length) && std::isfinite(result.lower_bound))
       result.gap = std::numeric_limits<double>::infinity();
-    if (result.gap <= options.tolerance) {
-      result.outcome = result.length < start * (1 - options.tolerance) && std::isfinite(start) ? ExactOutcome::improved
-                                                                                               : ExactOutcome::proved;
+    const double tolerance = std::max(options.tolerance, rounding_of_places(result.path, result.length, from, to));
+    if (result.gap <= tolerance) {
+      result.outcome = result.length < start * (1 - tolerance) && std::isfinite(start) ? ExactOutcome::improved
+                                                                                       : ExactOutcome::proved;
       return true;
     }
     if (run.stopped()) {
