@@ -48,6 +48,7 @@ class Chooser {
     if (found != srdf_->groups.end()) return found->second;
     std::vector<std::string> names;
     for (const auto& [name, joints] : srdf_->groups) names.push_back(name);
+    if (names.empty()) throw OptionError("group", "has no meaning here, because the SRDF defines no groups: remove it");
     throw OptionError("group", "the SRDF has no group '" + options_.group + "'; it has: " + listed(names));
   }
 

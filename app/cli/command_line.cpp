@@ -99,6 +99,24 @@ std::string option_hint(const CLI::App& app, const std::vector<std::string>& arg
   return "";
 }
 
+/// "'leastcost run' needs CONFIG: Configuration (YAML); write 'leastcost run CONFIG'". Empty: nothing is missing.
+std::string missing_arguments(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const CLI::App* command = nullptr;
+  for (const CLI::App* c : app.get_subcommands({}))
+    if (arguments.size() > 1 && c->get_name() == arguments[1]) command = c;
+  if (command == nullptr) return "";
+  std::string missing, whole = app.get_name() + " " + command->get_name();
+  for (const CLI::Option* option : command->get_options()) {
+    if (!option->get_required()) continue;
+    const std::string name =
+        option->get_positional() ? option->get_type_name() : option->get_name() + " " + option->get_type_name();
+    whole += " " + name;
+    if (option->count() == 0) missing += (missing.empty() ? "" : ", and ") + name + ": " + option->get_description();
+  }
+  if (missing.empty()) return "";
+  return fmt::format("'{} {}' needs {}; write '{}'", app.get_name(), command->get_name(), missing, whole);
+}
+
 /// Help and version are no errors; everything else is one of usage.
 Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vector<std::string>& arguments,
                    const Streams& streams) {
@@ -107,6 +125,8 @@ Exit parse_outcome(const CLI::App& app, const CLI::ParseError& e, const std::vec
     return Exit::certified;
   }
   std::string message = e.what();
+  if (e.get_exit_code() == static_cast<int>(CLI::ExitCodes::RequiredError))
+    if (std::string missing = missing_arguments(app, arguments); !missing.empty()) message = std::move(missing);
   if (const std::vector<std::string> extra = app.remaining(true);
       !extra.empty())  // its own message has them in reverse
     message = fmt::format("not expected here: {}", fmt::join(extra, " "));

@@ -102,9 +102,7 @@ Verdict verdict_on_exception(const Streams& streams) {
 constexpr const char* kPairsHelp =
     "Many pairs of ends: a CSV file, one pair per line. The header is source,target for vertex numbers, or\n"
     "source_x,source_y,..,target_x,.. for points, with the coordinate names of the domain. Other columns are ignored.\n"
-    "Each pair, valid or not, becomes one line of paths.jsonl, in the order of the file. Exit codes: 0 all pairs\n"
-    "certified, 5 all pairs have a path, 7 some have none, 130 interrupted (resume with --resume), others as for\n"
-    "one path";
+    "Each pair, valid or not, becomes one line of paths.jsonl, in the order of the file.";
 
 }  // namespace
 

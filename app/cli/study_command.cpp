@@ -99,9 +99,7 @@ constexpr const char* kStudyHelp =
     "Shards, Slurm:          sbatch --array=0-7 --wrap 'leastcost study CONFIG --shard $SLURM_ARRAY_TASK_ID/8 "
     "-o DIR/$SLURM_ARRAY_TASK_ID --resume'\n"
     "Then:                   leastcost merge DIR/* -o MERGED\n"
-    "Times are comparable only if cells do not compete: use -j 1, or fewer jobs than cores.\n"
-    "Exit codes: 0 every cell ended, 7 part of the study failed, 130 interrupted (resume with --resume), others as for "
-    "run";
+    "Times are comparable only if cells do not compete: use -j 1, or fewer jobs than cores.";
 
 }  // namespace
 

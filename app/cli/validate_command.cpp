@@ -6,6 +6,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -47,10 +48,21 @@ std::string word_on_default(const LoadedConfig& loaded) {
 }
 
 /// What is known only with the contents of files, which are not read.
-std::string word_on_files(const std::vector<std::string>& files) {
+std::string word_on_files(const std::vector<std::string>& files, const char* command) {
   if (files.empty()) return "";
-  return fmt::format("  not checked: the contents of {}; leastcost run reads {}\n", fmt::join(files, ", "),
+  return fmt::format("  not checked: the contents of {}; leastcost {} reads {}\n", fmt::join(files, ", "), command,
                      files.size() == 1 ? "it" : "them");
+}
+
+/// The files of all cells that are run, each once, in the order of the cells.
+std::vector<std::string> files_of_cells(const StudyGrid& grid) {
+  std::vector<std::string> all;
+  for (const StudyCell& cell : grid.cells) {
+    if (!cell.skipped.empty()) continue;
+    for (std::string& file : files_of(cell.config))
+      if (std::find(all.begin(), all.end(), file) == all.end()) all.push_back(std::move(file));
+  }
+  return all;
 }
 
 /// What is beside the errors of a configuration.
@@ -66,7 +78,9 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     const ConfigText source = config_source(file);
     if (is_study(source.text)) {
       LoadedStudy study = parse_study(source.text, source.name, source.folder, overrides);
-      make_grid(study, CellChecks::parts);
+      const StudyGrid grid = make_grid(study, CellChecks::parts);
+      if (study.errors.empty()) beside.not_checked = files_of_cells(grid);
+      beside.word = word_on_files(beside.not_checked, "study");
       return study.errors;
     }
     LoadedConfig loaded = parse_config(source.text, source.name, source.folder, overrides);
@@ -75,7 +89,7 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
       for (const MissingFile& missing : missing_files(loaded))
         loaded.errors.error(missing.named, missing.file + ": no such file");
     beside.not_checked = files_of(loaded.config);
-    beside.word = word_on_default(loaded) + word_on_files(beside.not_checked);
+    beside.word = word_on_default(loaded) + word_on_files(beside.not_checked, "run");
     return loaded.errors;
   } catch (const InputError& e) {
     readable = false;

@@ -13,9 +13,13 @@ namespace leastcost {
 
 OptionsReader::OptionsReader(const ConfigNode& block, std::string name, const Place& place, Diagnostics& errors,
                              const Externals* externals)
-    : block_(block), name_(std::move(name)), place_(place), errors_(errors), externals_(externals) {
+    : block_(block),
+      name_(std::move(name)),
+      place_(name_.empty() ? place : blamed(block, place)),
+      errors_(errors),
+      externals_(externals) {
   if (block.is_block()) return;
-  const std::string what = name_.empty() ? "the configuration" : "'" + name_ + "'";
+  const std::string what = name_.empty() ? "the configuration" : "'" + shown_path(name_) + "'";
   errors_.error(block.kind == ConfigNode::Kind::nothing ? place : block.place,
                 what + " must be a block of keys (" + found(block) + ")");
 }

@@ -73,7 +73,7 @@ class OptionsReader final : public RunVisitor {
   const PluginEntry* find_type(const ConfigNode& node, const Place& place, const std::string& path,
                                const PluginKind& kind);
   PluginChoice find_external(const ConfigNode& node, const PluginChoice& asked, const PluginKind& kind);
-  std::string inside() const { return name_.empty() ? "" : " in " + name_; }
+  std::string inside() const { return name_.empty() ? "" : " in " + shown_path(name_); }
   std::string path(std::string_view key) const {
     return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
   }

@@ -30,14 +30,15 @@ const PluginEntry* OptionsReader::find_type(const ConfigNode& node, const Place&
   if (node.is_block()) {
     const ConfigEntry* e = node.find("type");
     if (e == nullptr) {
-      errors_.error(place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
+      errors_.error(blamed(node, place),
+                    fmt::format("missing key 'type' in {}: one of {}", shown_path(path), joined(types)));
       return nullptr;
     }
     type = &e->value;
   }
   if (!type->is_scalar()) {
-    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
-                                           types.front(), found(*type)));
+    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})",
+                                           shown_path(path), types.front(), found(*type)));
     return nullptr;
   }
   if (type->text == kExternal) return &external_plugin();
@@ -63,7 +64,7 @@ PluginChoice OptionsReader::read_plugin(const ConfigNode& node, const Place& pla
     options = ConfigNode{};
     options.kind = ConfigNode::Kind::block;
   }
-  OptionsReader reader(options, path, place, errors_, externals_);
+  OptionsReader reader(options, path, node.is_block() ? place : blamed(node, place), errors_, externals_);
   choice.options->fields(reader);
   reader.known_.emplace_back("type");
   reader.finish();
@@ -131,20 +132,21 @@ std::optional<std::size_t> OptionsReader::find_variant(const ConfigEntry& e, con
     if (named == nullptr && std::count_if(variants.begin(), variants.end(), has_options) == 1)
       return std::find_if(variants.begin(), variants.end(), has_options) - variants.begin();
     if (named == nullptr) {
-      errors_.error(e.place, fmt::format("missing key 'type' in {}: one of {}", path, joined(types)));
+      errors_.error(blamed(e.value, e.place),
+                    fmt::format("missing key 'type' in {}: one of {}", shown_path(path), joined(types)));
       return std::nullopt;
     }
     type = &named->value;
   }
   if (!type->is_scalar()) {
-    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})", path,
-                                           types.front(), found(*type)));
+    errors_.error(type->place, fmt::format("'{}' must be a type or a block with a type, like {{type: {}}} ({})",
+                                           shown_path(path), types.front(), found(*type)));
     return std::nullopt;
   }
   for (std::size_t i = 0; i < variants.size(); ++i)
     if (variants[i].type == type->text) return i;
-  errors_.error(type->place, fmt::format("unknown type {} of {}{}; valid types: {}", in_quotes(type->text), path,
-                                         did_you_mean(type->text, types), joined(types)));
+  errors_.error(type->place, fmt::format("unknown type {} of {}{}; valid types: {}", in_quotes(type->text),
+                                         shown_path(path), did_you_mean(type->text, types), joined(types)));
   return std::nullopt;
 }
 

@@ -47,6 +47,29 @@ std::optional<std::size_t> list_index(std::string_view text) {
   return value;
 }
 
+std::string shown_path(std::string_view path) {
+  std::string shown;
+  while (!path.empty()) {
+    const std::string_view head = pop_front(path);
+    const bool is_index = !shown.empty() && list_index(head);
+    if (!shown.empty() && !is_index) shown += '.';
+    shown += is_index ? "[" + std::string(head) + "]" : std::string(head);
+  }
+  return shown;
+}
+
+const Place& blamed(const ConfigNode& node, const Place& place) {
+  if (!place.origin.empty()) return place;
+  if (!node.place.origin.empty()) return node.place;
+  for (const ConfigNode& item : node.items)
+    if (const Place& inside = blamed(item, place); !inside.origin.empty()) return inside;
+  for (const ConfigEntry& entry : node.entries) {
+    if (!entry.place.origin.empty()) return entry.place;
+    if (const Place& inside = blamed(entry.value, place); !inside.origin.empty()) return inside;
+  }
+  return place;
+}
+
 Place place_of(const ConfigNode& root, std::string_view path) {
   const ConfigNode* node = &root;
   Place place = root.place;
@@ -65,7 +88,7 @@ Place place_of(const ConfigNode& root, std::string_view path) {
     // The value is what is wrong; a block is better named by its key.
     place = node->is_scalar() || node->is_list() ? node->place : entry->place;
   }
-  return place;
+  return node == &root ? place : blamed(*node, place);
 }
 
 const ConfigNode* node_at(const ConfigNode& root, std::string_view path) {

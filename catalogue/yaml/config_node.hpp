@@ -50,6 +50,13 @@ std::optional<std::size_t> list_index(std::string_view text);
 /// The node at "solver.tolerance" or "post_process.1.type"; null when it is not given.
 const ConfigNode* node_at(const ConfigNode& root, std::string_view path);
 
+/// A path as messages have it: "obstacles[1].radius" for "obstacles.1.radius".
+std::string shown_path(std::string_view path);
+
+/// The place to name for a fault of a node as a whole: `place`, but what the command line put into the node where it
+/// did.
+const Place& blamed(const ConfigNode& node, const Place& place);
+
 /// The place of "solver.tolerance" or "post_process.1.type": of the key itself where it is given, else of the nearest
 /// block around it that is.
 Place place_of(const ConfigNode& root, std::string_view path);

@@ -3,6 +3,7 @@
 #include <leastcost/framework/problem/problem.hpp>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 
 namespace leastcost {
@@ -44,8 +45,8 @@ void check(const Problem& problem) {
     throw InputError("a problem needs a manifold, a cost and a kernel");
   const Dimensions dims = problem.manifold->dimensions();
   if (problem.cost->dim() != dims.ambient)
-    throw InputError("the cost is defined in " + std::to_string(problem.cost->dim()) +
-                     " dimensions, but the domain lies in " + std::to_string(dims.ambient));
+    throw InputError("the cost is defined in " + counted(problem.cost->dim(), "dimension") +
+                     ", but the domain lies in " + std::to_string(dims.ambient));
   if (!problem.ring || problem.based) check_end(problem.source, "source", dims.coordinate);
   if (problem.ring) return;
   check_end(problem.target, "target", dims.coordinate);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "framework/result/delivery.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -25,12 +27,21 @@ PostProcessed chain_as_curve(PathEnergy& energy, const CoordinatePath& path) {
 void post_process(const Problem& problem, const FirstPath& first, const FindOptions& options, const Monitor& monitor,
                   PostProcessed& so_far) {
   const CoordinatePath chain = so_far.chain;
-  for (const auto& step : options.post_processors) {
+  const auto& steps = options.post_processors;
+  std::optional<InputError> fault;
+  for (auto step = steps.begin(); step != steps.end(); ++step) {
     look_at_clock(monitor.deadline);
-    PostProcessed processed = step->apply(problem, first, so_far, monitor);
-    check_processed(problem, chain, processed);
-    so_far = std::move(processed);
+    try {
+      PostProcessed processed = (*step)->apply(problem, first, so_far, monitor);
+      check_processed(problem, chain, processed);
+      so_far = std::move(processed);
+    } catch (const InputError& error) {
+      // A later search over all paths may find a curve where this step could make none of the one that it was given.
+      if (!fault) fault = error;
+      if (!std::any_of(step + 1, steps.end(), [](const auto& later) { return later->bounds_all_paths(); })) break;
+    }
   }
+  if (fault && !so_far.curve.global) throw *fault;
 }
 
 std::optional<std::string> post_process_or_say_why(const Problem& problem, const FirstPath& first,

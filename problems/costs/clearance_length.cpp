@@ -9,6 +9,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
+#include "framework/base/counted.hpp"
 
 namespace leastcost {
 namespace {
@@ -134,7 +135,7 @@ std::shared_ptr<const SegmentCost> make_clearance_length(const ClearanceLengthOp
   if (!(options.reach > 0) || !std::isfinite(options.reach))
     throw OptionError("reach", "must be a number greater than 0");
   if (walls->dimension() != dim)
-    throw InputError("the obstacles have " + std::to_string(walls->dimension()) + " dimensions, but the space has " +
+    throw InputError("the obstacles have " + counted(walls->dimension(), "dimension") + ", but the space has " +
                      std::to_string(dim));
   const Softness softness(options, std::move(walls));
   if (dim == 2) return make_segment_cost(ClearanceLength<2>{softness});

@@ -253,7 +253,7 @@ class ScaledCost : public DerivedCost, public HasNotes {
     if (!why.empty() || at<double>(middle) > 0) return why;
     std::ostringstream out;
     out << "at " << middle.format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")"))
-        << " the field '" << options_.by << "' is not positive";
+        << " the field '" << options_.by << (std::isnan(at<double>(middle)) ? "' has no value" : "' is not positive");
     return out.str();
   }
   std::vector<std::string> notes() const override { return notes_of(*cost_); }

@@ -15,6 +15,7 @@
 #include <leastcost/framework/cost/has_notes.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include "framework/base/counted.hpp"
 #include "problems/costs/lagrangian/lagrangian_check.hpp"
 #include "problems/costs/lagrangian/lagrangian_form.hpp"
 #include "problems/costs/lagrangian/lagrangian_hull.hpp"
@@ -79,7 +80,11 @@ struct FormulaCost {
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     std::ostringstream out;
     const Eigen::VectorXd middle = (a + b) / 2, v = b - a;
-    out << "at x = " << middle.format(row) << " F(x, v) is not positive for v = " << v.format(row);
+    out << "at x = " << middle.format(row)
+        << (std::isnan(lagrangian.template operator()<double>(Point<double, D>(middle), Point<double, D>(v)))
+                ? " F(x, v) has no value for v = "
+                : " F(x, v) is not positive for v = ")
+        << v.format(row);
     return out.str();
   }
 
@@ -192,8 +197,7 @@ std::shared_ptr<const SegmentCost> make_formula_cost(const FormulaCostOptions& o
                                                      const std::optional<CheckedRegion>& region) {
   if (dim < 1 || dim > kMaxDimension) throw OptionError("lagrangian", "the space must have 1 to 64 dimensions");
   if (options.convexify && dim != 2)
-    throw OptionError("convexify",
-                      "works in the plane only, but this space has " + std::to_string(dim) + " dimensions");
+    throw OptionError("convexify", "works in the plane only, but this space has " + counted(dim, "dimension"));
   std::vector<std::string> names = coordinate_names(dim);
   const std::vector<std::string> velocities = velocity_names(dim);
   names.insert(names.end(), velocities.begin(), velocities.end());

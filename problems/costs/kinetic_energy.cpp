@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/cost/has_notes.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/framework/cost/starts_straight.hpp>
 #include "framework/base/symmetric_eigen.hpp"
@@ -246,9 +247,19 @@ void check_moves_mass(const KineticEnergy& cost) {
   }
 }
 
-class KineticEnergyCost final : public SegmentCostOf<KineticEnergy>, public StartsStraight {
+class KineticEnergyCost final : public SegmentCostOf<KineticEnergy>, public StartsStraight, public HasNotes {
  public:
-  using SegmentCostOf<KineticEnergy>::SegmentCostOf;
+  KineticEnergyCost(KineticEnergy cost, int dim, std::string model)
+      : SegmentCostOf<KineticEnergy>(std::move(cost), dim), model_(std::move(model)) {}
+  /// Of a robot from a file too: its masses are not read.
+  std::vector<std::string> notes() const override {
+    if (model_.empty()) return {};
+    return {"kinetic_energy: masses and inertias are those of the model '" + model_ +
+            "', not of a robot's file; for others, give model: {type: table, ..}"};
+  }
+
+ private:
+  std::string model_;  ///< empty: a table
 };
 
 }  // namespace
@@ -269,16 +280,23 @@ void KineticEnergyOptions::fields(FieldVisitor& visit) {
 
 std::shared_ptr<const SegmentCost> make_kinetic_energy_cost(const KineticEnergyOptions& options, int dim) {
   KineticEnergy cost;
+  const bool is_table = std::holds_alternative<arm_inertia::Table>(options.model);
+  const std::string model =
+      is_table ? ""
+               : std::string(std::visit([](const auto& m) { return std::decay_t<decltype(m)>::kType; }, options.model));
   try {
     cost.arm = std::visit(MovingArmOf{}, options.model);
     if (cost.arm.table.rows.rows() != dim)
-      throw OptionError("", "has " + std::to_string(cost.arm.table.rows.rows()) +
-                                " joints, but points of the domain have " + std::to_string(dim) + " coordinates");
+      throw OptionError(
+          "",
+          "has " + std::to_string(cost.arm.table.rows.rows()) + " joints, but points of the domain have " +
+              std::to_string(dim) + " coordinates" +
+              (is_table ? "" : ": it is '" + model + "'; give the masses of another arm as model: {type: table, ..}"));
     check_moves_mass(cost);
   } catch (const OptionError& error) {
     throw error.under("model");
   }
-  return std::make_shared<const KineticEnergyCost>(std::move(cost), dim);
+  return std::make_shared<const KineticEnergyCost>(std::move(cost), dim, model);
 }
 
 }  // namespace leastcost

@@ -141,6 +141,7 @@ struct NamedIndex {
     const auto* formula = std::get_if<FormulaIndex>(&any);
     if (formula == nullptr) return std::visit([](const auto& n) { return n.outside(); }, any);
     const double n = (*formula)(x);
+    if (std::isnan(n)) return "the formula of n has no value";
     return (n < 0 && std::isfinite(n) ? formula->outside() : "the formula of n is not finite") +
            ": n = " + short_number(n, 6);
   }

@@ -14,6 +14,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost_function.hpp>
 #include <leastcost/problems/bracket/cost_dual.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/costs/flow_grid.hpp"
 #include "problems/formula/coordinate_names.hpp"
@@ -315,7 +316,7 @@ std::shared_ptr<const SegmentCost> make_zermelo_cost(ZermeloOptions options, con
   options.flow = flow::Grid{};
   check_zermelo(options, dim);
   if (nodes.cols() != 2 * dim)
-    throw InputError("the nodes of a flow in " + std::to_string(dim) + " dimensions have rows of " +
+    throw InputError("the nodes of a flow in " + counted(dim, "dimension") + " have rows of " +
                      std::to_string(2 * dim) + " numbers, position and velocity, not " + std::to_string(nodes.cols()));
   if (dim == 2) return FlowMaker<2>{options, {}}.lifted(flow_grid<2>(nodes, "flow"), false);
   return FlowMaker<3>{options, {}}.lifted(flow_grid<3>(nodes, "flow"), false);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -26,6 +27,18 @@ constexpr double kSameDistance = 1e-12;  // relative: rounding leaves nobody out
 
 double rounded_up(const SurfacePath& path) {
   return path_length(path) * (1 + static_cast<double>(path.points.size() + 8) * kRoundingOf<double>);
+}
+
+/// By how much rounding of its points and ends may change the length of a path, relative: of what is far from the
+/// origin positions are known less well than lengths.
+double rounding_of_places(const SurfacePath& path, double length, const EndPoint& from, const EndPoint& to) {
+  constexpr double kMost = 1e-3, kRoundings = 4;  // of a position, at the ends of each segment
+  double largest = 0;
+  for (const Eigen::Vector3d& x : path.points) largest = std::max(largest, x.cwiseAbs().maxCoeff());
+  const double points =
+      kRoundings * std::numeric_limits<double>::epsilon() * largest * static_cast<double>(path.points.size());
+  // Above and below: the ends of the bound, and those of the path.
+  return length > 0 ? std::min(kMost, (points + 2 * (from.error + to.error)) / length) : 0;
 }
 
 /// The path of a propagation, straightened exactly; as it is where straightening is not defined. It is as short as can
@@ -56,7 +69,8 @@ QueryLimits limits_of(const ExactOptions& options) {
 /// What is known of one pair, from the path that the query began with on.
 class PairKnowledge {
  public:
-  PairKnowledge(const TriangleMesh& mesh, const ExactOptions& options) : mesh_(&mesh), options_(&options) {
+  PairKnowledge(const TriangleMesh& mesh, const EndPoint& from, const EndPoint& to, const ExactOptions& options)
+      : mesh_(&mesh), from_(&from), to_(&to), options_(&options) {
     if (options.start == nullptr) return;
     know(*options.start);
     given_ = result.length;
@@ -91,8 +105,10 @@ class PairKnowledge {
     result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
     if (std::isinf(result.length) && std::isfinite(result.lower_bound))
       result.gap = std::numeric_limits<double>::infinity();
-    if (result.gap <= options_->tolerance) {
-      const bool shorter = std::isfinite(given_) && result.length < given_ * (1 - options_->tolerance);
+    const double tolerance =
+        std::max(options_->tolerance, rounding_of_places(result.path, result.length, *from_, *to_));
+    if (result.gap <= tolerance) {
+      const bool shorter = std::isfinite(given_) && result.length < given_ * (1 - tolerance);
       result.outcome = shorter ? ExactOutcome::improved : ExactOutcome::proved;
       return true;
     }
@@ -111,6 +127,7 @@ class PairKnowledge {
 
  private:
   const TriangleMesh* mesh_;
+  const EndPoint *from_, *to_;
   const ExactOptions* options_;
   double given_ = std::numeric_limits<double>::infinity();
 };
@@ -197,7 +214,7 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   const HalfEdges& edges = tables_->edges;
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
-  PairKnowledge known(edges.mesh(), options);
+  PairKnowledge known(edges.mesh(), from, to, options);
   const Landmarks* const landmarks =
       options.landmarks && tables_->landmarks.count() > 0 ? &tables_->landmarks : nullptr;
   FrontBound* const fronts =

@@ -21,7 +21,8 @@ namespace leastcost {
 using ExactOutcome = ProofOutcome;
 
 struct ExactOptions {
-  double tolerance = 1e-9;                                              ///< gap that counts as proved, relative
+  /// Gap that counts as proved, relative; at least what rounding of the path's points may change of its length.
+  double tolerance = 1e-9;
   std::int64_t max_windows = std::numeric_limits<std::int64_t>::max();  ///< the search ends where it has made as many
   /// Bytes that windows may take: with the tables of 50,000 triangles less than 2 GB.
   double max_memory = 1.8e9;

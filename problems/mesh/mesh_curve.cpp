@@ -5,12 +5,69 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/has_constant_metric.hpp>
 
 namespace leastcost {
+namespace {
+
+/// A place on a piece of a curve, the share t of it from its beginning.
+struct PlaceOnCurve {
+  Index piece = 0;
+  double t = 0;
+};
+
+/// Finds points on a curve by their positions, in the order in which the curve passes them. Where the curve comes back
+/// to a place, on another sheet of a fold, the face of a point tells which of its pieces is meant.
+class CurveFollower {
+ public:
+  explicit CurveFollower(const Curve& curve)
+      : curve_(curve), near_(std::max(kNear * extent_of(curve.x), kRoundings * curve.x.cwiseAbs().maxCoeff())) {}
+
+  std::optional<PlaceOnCurve> at_start(const Eigen::VectorXd& x) {
+    return (x - curve_.x.col(0)).norm() <= near_ ? std::optional(PlaceOnCurve{}) : next(x, kNoSite);
+  }
+
+  std::optional<PlaceOnCurve> at_end(const Eigen::VectorXd& x) {
+    const Index last = curve_.x.cols() - 1;
+    if ((x - curve_.x.col(last)).norm() <= near_) return PlaceOnCurve{last - 1, 1};
+    return next(x, kNoSite);
+  }
+
+  /// The first place from the last one on, on a piece with that face where there is one.
+  std::optional<PlaceOnCurve> next(const Eigen::VectorXd& x, Site face) {
+    std::optional<PlaceOnCurve> found = face == kNoSite ? std::nullopt : first_near(x, face);
+    if (!found) found = first_near(x, kNoSite);
+    if (found) last_ = *found;
+    return found;
+  }
+
+ private:
+  static constexpr double kNear = 1e-9;                                              ///< of the extent of the curve
+  static constexpr double kRoundings = 16 * std::numeric_limits<double>::epsilon();  ///< of the largest coordinate
+
+  std::optional<PlaceOnCurve> first_near(const Eigen::VectorXd& x, Site face) const {
+    for (Index piece = last_.piece; piece + 1 < curve_.x.cols(); ++piece) {
+      if (face != kNoSite && !curve_.segment_sites.empty() &&
+          curve_.segment_sites[static_cast<std::size_t>(piece)] != face)
+        continue;
+      const Eigen::VectorXd d = curve_.x.col(piece + 1) - curve_.x.col(piece), to = x - curve_.x.col(piece);
+      const double from = piece == last_.piece ? last_.t : 0;
+      const double t = d.squaredNorm() > 0 ? std::clamp(to.dot(d) / d.squaredNorm(), from, 1.0) : from;
+      if ((to - t * d).norm() <= near_) return PlaceOnCurve{piece, t};
+    }
+    return std::nullopt;
+  }
+
+  const Curve& curve_;
+  double near_;
+  PlaceOnCurve last_;
+};
+
+}  // namespace
 
 const HasMesh& mesh_of(const Problem& problem, std::string_view name) {
   const auto* domain = find_ability<HasMesh>(*problem.manifold);
@@ -78,24 +135,27 @@ Curve as_curve(const Problem& problem, const SurfacePath& path) {
 
 Eigen::VectorXd costs_along(const Problem& problem, const Curve& curve, const CoordinatePath& chain) {
   const Index pieces = curve.x.cols() - 1, segments = chain.segment_count();
-  const double near = 1e-9 * extent_of(curve.x);
   const Eigen::VectorXd costs =
       segment_costs(*problem.cost, {{curve.x.data(), curve.x.rows(), curve.x.cols()}, {}, false});
   Eigen::VectorXd between = Eigen::VectorXd::Constant(segments, std::numeric_limits<double>::infinity());
+  CurveFollower follower(curve);
   Index piece = 0;
   double passed = 0, before = 0;  // cost up to `piece`; cost up to the last point of the chain
   for (Index i = 0; i <= segments; ++i) {
-    for (; piece < pieces; passed += costs[piece++]) {
-      const Eigen::VectorXd a = curve.x.col(piece), d = curve.x.col(piece + 1) - curve.x.col(piece);
-      const Eigen::VectorXd to = chain.u.col(i % chain.u.cols()) - curve.x.col(piece);
-      const double t = d.squaredNorm() > 0 ? std::clamp(to.dot(d) / d.squaredNorm(), 0.0, 1.0) : 0;
-      if ((to - t * d).norm() > near) continue;
-      const double here = passed + move_cost(*problem.cost, a, a + t * d);
-      if (i > 0) between[i - 1] = here - before;
-      before = here;
-      break;
+    const Index column = i % chain.u.cols();
+    const bool is_last = i == segments && !chain.ring;
+    const std::optional<PlaceOnCurve> place = i == 0    ? follower.at_start(chain.u.col(column))
+                                              : is_last ? follower.at_end(chain.u.col(column))
+                                                        : follower.next(chain.u.col(column), chain.site(column));
+    if (!place) break;
+    for (; piece < std::min(place->piece, pieces); ++piece) passed += costs[piece];
+    double here = passed;
+    if (place->t > 0) {
+      const Eigen::VectorXd a = curve.x.col(place->piece), d = curve.x.col(place->piece + 1) - a;
+      here += place->t < 1 ? move_cost(*problem.cost, a, a + place->t * d) : costs[place->piece];
     }
-    if (piece == pieces) break;
+    if (i > 0) between[i - 1] = here - before;
+    before = here;
   }
   return between;
 }

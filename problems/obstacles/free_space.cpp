@@ -10,6 +10,7 @@
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/domain/has_box.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/dense_solves.hpp"
 #include "problems/obstacles/crossing_word.hpp"
 #include "problems/obstacles/least_push.hpp"
@@ -128,7 +129,7 @@ FreeSpace::FreeSpace(std::shared_ptr<const ConstraintManifold> domain, std::shar
   if (find_ability<HasCoarserVersion>(*domain_) != nullptr)
     throw InputError("obstacles need a domain that is given exactly, but this one is made from data");
   if (walls_->dimension() != domain_->dimensions().ambient)
-    throw InputError("the obstacles have " + std::to_string(walls_->dimension()) + " dimensions, but the domain has " +
+    throw InputError("the obstacles have " + counted(walls_->dimension(), "dimension") + ", but the domain has " +
                      std::to_string(domain_->dimensions().ambient));
 }
 
@@ -136,7 +137,9 @@ FreeSpace::FreeSpace(const std::shared_ptr<const ConstraintManifold>& domain, Ob
     : FreeSpace(domain, walls_in(*domain, std::move(obstacles), clearance)) {}
 
 /// By how much a point on a wall may be off it.
-double FreeSpace::slack(const Vector& x) const { return kOn * std::max(walls_->size(), x.cwiseAbs().maxCoeff()); }
+double FreeSpace::slack(const Vector& x) const {
+  return std::max(kOn * std::max(walls_->size(), x.cwiseAbs().maxCoeff()), kRounding * walls_->computed_from());
+}
 
 void FreeSpace::look(Point& point, double reach) const {
   if (point.looked >= reach) return;
@@ -187,7 +190,7 @@ void FreeSpace::push_out_of_all(Point& point, const std::vector<int>& held, doub
 /// Moves a point onto the walls that hold it and, if bounded, out of those that it has come into, to the nearest place;
 /// false where they leave none. `reach`: how far those that hold it may be, 0 where none does.
 bool FreeSpace::settle(Point& point, const std::vector<int>& held, bool bounded, double reach) const {
-  const double rounding = kRounding * std::max(walls_->size(), point.x().cwiseAbs().maxCoeff());
+  const double rounding = kRounding * std::max(walls_->computed_from(), point.x().cwiseAbs().maxCoeff());
   const auto holds = [&](int i) { return std::find(held.begin(), held.end(), i) != held.end(); };
   std::vector<const Wall*> counting;
   // Walls at a sharp angle pass a point to and fro for long: the least step that is right for all of them, were they
@@ -613,7 +616,8 @@ std::shared_ptr<const ConstraintManifold> FreeSpace::unfitted_with(const KeptMar
 
 WallMargins::Fit FreeSpace::closeness(const Points& x) const {
   const double size = std::max(walls_->size(), x.cwiseAbs().maxCoeff());
-  return {std::max(agreement_ * extent_of(x), kOn * size), kRounding * size, kSurely * kOn * size};
+  const double rounding = kRounding * std::max(size, walls_->computed_from()), on = std::max(kOn * size, rounding);
+  return {std::max(agreement_ * extent_of(x), on), rounding, kSurely * on};
 }
 
 SegmentFit FreeSpace::fitted(const CoordinatePath& path) const {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/obstacles/broad_phase.hpp"
 #include "problems/obstacles/outlines.hpp"
@@ -29,8 +30,9 @@ void check(Eigen::Index dimension, const ObstacleWalls::Obstacles& obstacles, do
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
     const Obstacle& obstacle = *obstacles[i];
     if (obstacle.core_bounds().dim() != dimension)
-      throw OptionError(std::to_string(i), obstacle.name() + " has " + std::to_string(obstacle.core_bounds().dim()) +
-                                               " dimensions, but the domain has " + std::to_string(dimension));
+      throw OptionError(std::to_string(i), obstacle.name() + " has " +
+                                               counted(obstacle.core_bounds().dim(), "dimension") +
+                                               ", but the domain has " + std::to_string(dimension));
     if (!(obstacle.radius() + clearance > 0))
       throw OptionError("clearance", "must be greater than 0 with sharp corners (" + obstacle.name() +
                                          "): the path bends there only between its points");

@@ -33,8 +33,11 @@ class Walls : public HasAbilities<Walls> {
 
   /// Rows of a place.
   virtual Eigen::Index dimension() const = 0;
-  /// The largest of the lengths that gaps are computed from (coordinates, radii): what rounding is measured by.
+  /// The lengths that matter, which tolerances are measured by: of what moves, where that is known (a robot), and of
+  /// what is in the way elsewhere.
   virtual double size() const { return 1; }
+  /// The largest of the lengths that gaps are computed from (coordinates, radii): what rounding is measured by.
+  virtual double computed_from() const { return size(); }
   /// The walls with a gap below `reach` at x, ascending by obstacle; some others may be among them.
   virtual void near(const Vector& x, double reach, std::vector<Wall>& found) const = 0;
   /// Over all places of the move from a to b that the domain makes; names the nearest obstacle.

@@ -97,7 +97,10 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   const std::optional<MetricRoot> metric = constant_metric(problem);
   if (!metric) throw InputError("shortest unfolds the mesh, which needs a cost with a constant metric");
   if (current.chain.ring || problem.based) throw InputError("shortest joins two ends, but this path is a ring");
-  if (std::holds_alternative<GlobalOff>(proof_) || !current.curve.straightness || monitor.interrupted()) return current;
+  if (std::holds_alternative<GlobalOff>(proof_) || monitor.interrupted()) return current;
+  // Beside an edge of three faces nothing may have been straightened; the search takes such edges as they are.
+  const bool straightened = current.curve.straightness.has_value();
+  if (!straightened && mesh.non_manifold_edges().empty()) return current;
   const auto begin = Monitor::Clock::now();
   const GlobalBudget budget = budget_of(proof_, mesh);
   ExactOptions options;
@@ -109,13 +112,14 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   }
   const std::shared_ptr<KeptSearch> kept = keeper_->search_for(problem, mesh, *metric, budget, options.stop);
   const MetricMesh* turned = kept->turned();
-  SurfacePath start = as_surface_path(current.curve);
-  if (turned) start = turned->there(std::move(start));
+  SurfacePath start;
+  if (straightened) start = as_surface_path(current.curve);
+  if (turned && straightened) start = turned->there(std::move(start));
   const std::vector<SurfacePoint> points = surface_points(mesh, current.chain);
   options.tolerance = budget.tolerance;
   options.max_windows = *budget.max_windows;
   if (options.max_windows > kMostWindows) options.max_memory = std::numeric_limits<double>::infinity();
-  options.start = &start;
+  if (straightened) options.start = &start;
   ExactSearch::Workspace workspace = kept->borrow();
   ExactResult found = kept->search().shortest(points.front(), points.back(), workspace, options);
   kept->give_back(std::move(workspace));
@@ -125,7 +129,14 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
     try_other_starts(turned ? turned->mesh() : mesh, points.front(), points.back(), spent, found);
 
   const double before = current.curve.cost;
-  if (found.length < before * (1 - budget.tolerance)) {
+  if (!straightened) {
+    if (found.path.faces.empty()) return current;
+    deliver_path(problem, mesh, turned ? turned->back(std::move(found.path)) : found.path, *metric, current);
+    current.notes.emplace_back(
+        "shortest: the first path crosses an edge with three or more faces; a path that the search over all paths "
+        "found "
+        "is delivered");
+  } else if (found.length < before * (1 - budget.tolerance)) {
     deliver_path(problem, mesh, turned ? turned->back(std::move(found.path)) : found.path, *metric, current);
     current.notes.push_back(
         "shortest: a shorter path than the straightened one was found and is delivered; the straightened one was "

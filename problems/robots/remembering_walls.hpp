@@ -25,6 +25,7 @@ class RememberingWalls final : public Walls {
 
   Eigen::Index dimension() const override { return walls_->dimension(); }
   double size() const override { return walls_->size(); }
+  double computed_from() const override { return walls_->computed_from(); }
   void near(const Vector& x, double reach, std::vector<Wall>& found) const override;
   MoveClearance clearance(const Vector& a, const Vector& b) const override { return walls_->clearance(a, b); }
   void along(const Vector& a, const Vector& b, double reach, std::vector<Wall>& found) const override;

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/ability.hpp>
 #include <leastcost/framework/base/errors.hpp>
+#include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/obstacles/broad_phase.hpp"
 #include "problems/robots/box_distance.hpp"
@@ -19,7 +20,7 @@
 #include "problems/robots/robot_walls_parts.hpp"
 
 namespace leastcost {
-using robot_walls::farther_apart, robot_walls::kOfLengths, robot_walls::kUnbounded;
+using robot_walls::farther_apart, robot_walls::kOfLengths, robot_walls::kOfScene, robot_walls::kUnbounded;
 namespace {
 
 using Eigen::Vector3d;
@@ -37,6 +38,23 @@ Eigen::VectorXd reach_of(const Kinematics& kinematics, int seen_from, int link, 
   Eigen::VectorXd reach = kinematics.reach_from(seen_from, link, corners[0]);
   for (const Vector3d& corner : corners) reach = reach.cwiseMax(kinematics.reach_from(seen_from, link, corner)).eval();
   return reach;
+}
+
+/// Of the core of an obstacle: how near it comes to the origin, and its largest coordinate; of a half-space the
+/// distance of its side.
+struct Extent {
+  double nearest = 0, largest = 0;
+};
+
+Extent extent_of_core(const Obstacle& obstacle) {
+  const Obstacle::Box core = obstacle.core_bounds();
+  const Eigen::VectorXd origin = Eigen::VectorXd::Zero(core.dim());
+  if (core.min().allFinite() && core.max().allFinite())
+    return {std::sqrt(core.squaredExteriorDistance(origin)),
+            std::max(core.min().cwiseAbs().maxCoeff(), core.max().cwiseAbs().maxCoeff())};
+  Eigen::VectorXd away(core.dim());
+  const double distance = obstacle.distance(origin, away);
+  return {std::max(0.0, distance), std::abs(distance)};
 }
 
 }  // namespace
@@ -68,12 +86,12 @@ RobotWalls::RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, 
 void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
   obstacles_ = std::move(obstacles);
   const int space = robot_->kinematics->space();
+  const double farthest_place = this->farthest_place();
   for (std::size_t i = 0; i < obstacles_.size(); ++i) {
     const Obstacle::Box core = obstacles_[i]->core_bounds();
     if (core.dim() != space)
-      throw OptionError(std::to_string(i), obstacles_[i]->name() + " has " + std::to_string(core.dim()) +
-                                               " dimensions, but the workspace of the robot has " +
-                                               std::to_string(space));
+      throw OptionError(std::to_string(i), obstacles_[i]->name() + " has " + counted(core.dim(), "dimension") +
+                                               ", but the workspace of the robot has " + std::to_string(space));
     if (!robot_->plates.empty()) {
       for_plates_.push_back(find_ability<MeetsTriangles>(*obstacles_[i]));
       if (for_plates_.back() == nullptr)
@@ -88,11 +106,9 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     cores_.push_back(has != nullptr ? std::optional(has->core_box()) : std::nullopt);
     required_.push_back(obstacles_[i]->radius() + clearance);
     most_required_ = std::max(most_required_, required_.back());
-    size_ = std::max(size_, required_.back());
-    Vector away(space);
-    size_ = std::max(size_, box.lower.allFinite() && box.upper.allFinite()
-                                ? std::max(box.lower.cwiseAbs().maxCoeff(), box.upper.cwiseAbs().maxCoeff())
-                                : std::abs(obstacles_[i]->distance(Vector::Zero(space), away)));
+    const Extent extent = extent_of_core(*obstacles_[i]);
+    if (!(extent.nearest - required_.back() > farthest_place))
+      scene_ = std::max({scene_, extent.largest, required_.back()});
   }
   if (boxes_.size() > kManyObstacles) {
     std::vector<BroadPhase::Box> cores;
@@ -100,6 +116,23 @@ void RobotWalls::add_obstacles(Obstacles obstacles, double clearance) {
     for (const CoreBox& box : boxes_) cores.emplace_back(Vector(box.lower), Vector(box.upper));
     tree_ = std::make_shared<const BroadPhase>(std::move(cores));
   }
+}
+
+/// How far from the origin of the workspace a part comes at most within the limits of the robot; infinity where there
+/// are none.
+double RobotWalls::farthest_place() const {
+  const Kinematics& kinematics = *robot_->kinematics;
+  const Vector lower = kinematics.lower(), upper = kinematics.upper();
+  if (!lower.allFinite() || !upper.allFinite()) return kUnbounded;
+  RobotPose pose;
+  pose.place(*robot_, (lower + upper) / 2);
+  double farthest = 0;
+  for (std::size_t part = 0; part < bodies_.size(); ++part) {
+    const CoreBox at = box(pose, part);
+    const double here = at.lower.cwiseAbs().cwiseMax(at.upper.cwiseAbs()).norm() + bodies_[part].radius;
+    farthest = std::max(farthest, here + bodies_[part].reach.dot(upper - lower) / 2);
+  }
+  return std::isfinite(farthest) ? farthest : kUnbounded;
 }
 
 /// Seen from the link that is nearer to the base. Where both move, their distance changes by no more than both do.
@@ -220,7 +253,8 @@ RobotWalls::Vector RobotWalls::slope(const RobotPose& pose, const Pair& pair, co
 }
 
 double RobotWalls::rounding(const Vector& a, const Vector& b) const {
-  return kOfLengths * (size_ + farthest_ * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()));
+  const double places = size_ + farthest_ * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+  return kOfLengths * places + kOfScene * scene_;
 }
 
 void RobotWalls::near_among(const std::vector<Pair>& pairs, const Vector& x, double reach,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -45,7 +46,9 @@ class RobotWalls final : public PairWalls,
   RobotWalls(std::shared_ptr<const Robot> robot, Obstacles obstacles, double clearance);
 
   Eigen::Index dimension() const override { return robot_->kinematics->dimension(); }
+  /// Of the robot alone: what is in its way may be as large, and what is not as far off, as it likes.
   double size() const override { return size_; }
+  double computed_from() const override { return std::max(size_, scene_); }
   void near(const Vector& x, double reach, std::vector<Wall>& found) const override;
   MoveClearance clearance(const Vector& a, const Vector& b) const override;
   bool clears(const Vector& a, const Vector& b) const override;
@@ -92,6 +95,7 @@ class RobotWalls final : public PairWalls,
   MoveClearance least_gap(OnMove& move, double widest, double rounding) const;
   void add_obstacles(Obstacles obstacles, double clearance);
   void add_self_pairs();
+  double farthest_place() const;
   double find_thinnest() const;
   void add_near(const RobotPose& pose, const std::vector<Pair>& pairs, double reach, std::vector<Wall>& found) const;
   bool clears_closely(const Vector& a, const Vector& b) const;
@@ -120,6 +124,7 @@ class RobotWalls final : public PairWalls,
   std::vector<Pair> self_;
   std::vector<Vector> self_reach_;  ///< of their parts, as seen from the others
   double size_ = 0, farthest_ = 0, most_required_ = 0;
+  double scene_ = 0;  ///< the largest coordinate or radius of what the robot may come to
   double thinnest_ =
       0;  ///< what is required of pairs, by how far the part moves at most as the configuration moves by 1
   std::shared_ptr<const BroadPhase> tree_;  ///< of the cores, where there are many

@@ -15,7 +15,7 @@
 // RobotWalls: what is near a place, on a move, and on those of a chain.
 
 namespace leastcost {
-using robot_walls::kDecided, robot_walls::kOfLengths, robot_walls::kShareOfGap, robot_walls::kUnbounded;
+using robot_walls::kDecided, robot_walls::kShareOfGap, robot_walls::kUnbounded;
 namespace {
 
 constexpr double kShareOfCoreRoom = 0.5;
@@ -116,8 +116,8 @@ class RobotWalls::ChainLook {
       : walls_(walls), x_(x), gone_(Points::Zero(static_cast<Eigen::Index>(walls.bodies_.size()), x.cols())) {
     const Kinematics& kinematics = *walls.robot_->kinematics;
     const Eigen::Index last = x.cols() - 1;
-    rounding_ = std::max(walls.rounding(x.col(0), x.col(last)),
-                         kOfLengths * (walls.size_ + walls.farthest_ * x.cwiseAbs().maxCoeff()));
+    const Vector farthest = Vector::Constant(x.rows(), x.cwiseAbs().maxCoeff());
+    rounding_ = walls.rounding(farthest, farthest);
     for (Eigen::Index k = 0; k < last; ++k) {
       const Vector a = x.col(k), b = x.col(k + 1);
       for (std::size_t i = 0; i < walls.bodies_.size(); ++i) {

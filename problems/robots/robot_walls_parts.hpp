@@ -14,7 +14,9 @@ namespace robot_walls {
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 inline constexpr double kOfLengths =
     256 * std::numeric_limits<double>::epsilon();  ///< rounding of frames and distances
-inline constexpr double kDecided = 1e-10;          ///< sizes: so near are the bounds of a clearance in contact
+inline constexpr double kOfScene =
+    16 * std::numeric_limits<double>::epsilon();  ///< the same of one distance from an obstacle, by its coordinates
+inline constexpr double kDecided = 1e-10;         ///< sizes: so near are the bounds of a clearance in contact
 inline constexpr double kShareOfGap = 0.5;
 
 /// Whether the distance of two boxes with sides along the axes is more than this.

@@ -34,6 +34,7 @@ struct Stretch {
   std::vector<Eigen::Vector2d> steps;
   Frame first, last;
   std::int32_t first_face = -1, last_face = -1;
+  bool begins_path = false, ends_path = false;
 };
 
 /// Faces around a vertex in order, each with the vertex on the edge where it begins and the angle up to there.
@@ -63,6 +64,7 @@ class StraightnessChecker {
   Frame carried_over(const Frame& frame, std::int32_t halfedge, std::int32_t beyond) const;
   bool develop(std::size_t begin, std::size_t end, Stretch& stretch) const;
   Eigen::Vector2d chord(const Stretch& stretch, bool from_end) const;
+  bool is_no_way(const Stretch& stretch, bool is_before, const Eigen::Vector2d& chord) const;
   double allowance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
   double worst_turn(const Stretch& stretch) const;
   std::int32_t neighbour(std::int32_t face, std::int32_t v, std::int32_t spoke) const;
@@ -155,6 +157,8 @@ bool StraightnessChecker::develop(std::size_t begin, std::size_t end, Stretch& s
   stretch.steps.clear();
   stretch.first_face = path_.faces[begin];
   stretch.last_face = path_.faces[end - 1];
+  stretch.begins_path = begin == 0;
+  stretch.ends_path = end == path_.faces.size();
   stretch.first = stretch.last = first_frame(stretch.first_face);
   for (std::size_t i = begin; i < end; ++i) {
     if (i > begin) {
@@ -174,6 +178,12 @@ Eigen::Vector2d StraightnessChecker::chord(const Stretch& stretch, bool from_end
   for (std::size_t i = 0; i < n && sum.norm() < together_; ++i)
     sum += from_end ? Eigen::Vector2d(-stretch.steps[n - 1 - i]) : stretch.steps[i];
   return sum;
+}
+
+/// Whether a stretch that is no longer than rounding lies between a vertex and an end of the path. `is_before`: the
+/// vertex is at its end.
+bool StraightnessChecker::is_no_way(const Stretch& stretch, bool is_before, const Eigen::Vector2d& chord) const {
+  return chord.norm() <= rounding_ && (is_before ? stretch.begins_path : stretch.ends_path);
 }
 
 double StraightnessChecker::allowance(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
@@ -252,6 +262,8 @@ double StraightnessChecker::place_in_fan(const Fan& fan, std::int32_t v, std::in
 /// Smallest side angle minus pi at a vertex between two stretches.
 double StraightnessChecker::narrowest_side(std::int32_t v, const Stretch& before, const Stretch& after) const {
   const Eigen::Vector2d back = chord(before, true), ahead = chord(after, false);
+  // A first or last segment without length: the path ends at the vertex, but for rounding.
+  if (is_no_way(before, true, back) || is_no_way(after, false, ahead)) return 0;
   if (std::min(back.norm(), ahead.norm()) <= rounding_) return -kInfinity;  // an edge without length: no direction
   const Fan fan = fan_around(v, before.last_face);
   const double arrives = place_in_fan(fan, v, before.last_face, before.last, back);

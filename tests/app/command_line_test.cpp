@@ -351,4 +351,19 @@ TEST_CASE("command line: a cap of distances speaks, and the option that it names
   CHECK(call({"distances", mesh, "--from", "0", "--max-windows", "1000"}).out == full.out);
 }
 
+TEST_CASE("command line: a missing argument is named with what to write") {
+  CHECK_THAT(call({"run"}).err, Contains("'leastcost run' needs CONFIG: Configuration (YAML)") &&
+                                    Contains("; write 'leastcost run CONFIG'"));
+  CHECK_THAT(call({"study"}).err,
+             Contains("'leastcost study' needs CONFIG") && Contains("write 'leastcost study CONFIG'"));
+  CHECK_THAT(call({"merge", "a"}).err, Contains("'leastcost merge' needs "));
+}
+
+TEST_CASE("command line: exit codes are said in one place") {
+  for (const char* command : {"run", "study"}) {
+    const std::string help = call({command, "--help"}).out;
+    CHECK(help.find("Exit codes") == help.rfind("Exit codes"));
+  }
+}
+
 }  // namespace leastcost::test

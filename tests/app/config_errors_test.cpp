@@ -391,4 +391,55 @@ TEST_CASE("config errors: a fault of a raster is told once, with the value that 
   CHECK(call({"run", (dir / "a.yaml").string(), "--set", "cost.nodata=-9999", "-o", (dir / "out").string()}).exit == 0);
 }
 
+TEST_CASE("config errors: what an option of the command line put into a block is named for the block's faults") {
+  ScratchDir folder;
+  const std::string plan = text_file(folder / "plan.yaml",
+                                     "manifold: {type: euclidean, dimension: 2}\nobstacles:\n"
+                                     "  - {type: ball, center: [0.3, 0.05], radius: 0.1}\nclearance: 0.02\n"
+                                     "cost: euclidean\nends: {source: {point: [0, 0]}, target: {point: [1, 0]}}\n");
+  const auto said = [&](const std::string& option) { return call({"validate", plan, "--set", option}).err; };
+  CHECK_THAT(said("obstacles.0.center=[1]"),
+             Contains("--set obstacles.0.center=[1]: error: 'obstacles[0]': the ball at (1) has 1 dimension, but the "
+                      "domain has 2"));
+  CHECK_THAT(said("manifold=mesh"), Contains("--set manifold=mesh: error: missing key 'file' in manifold"));
+  CHECK_THAT(said("ends.source.point=[0.3, 0.05]"),
+             Contains("--set ends.source.point=[0.3, 0.05]: error: 'source' in"));
+  CHECK_THAT(said("obstacles[0].radius=-1"), Contains("'radius' in obstacles[0] must be greater than 0"));
+  CHECK_THAT(said("path.pints=3"), Contains("--set path.pints=3: error: unknown key 'pints' in path"));
+  CHECK_THAT(
+      call({"validate", text_file(folder / "none.yaml", "manifold: {type: euclidean, dimension: 2}\n"), "--set",
+            "path.points=3"})
+          .err,
+      Contains("none.yaml:1:1: error: missing key 'cost'") || Contains("none.yaml:1:1: error: missing key 'ends'"));
+}
+
+TEST_CASE("config errors: a formula without a value is said to have none") {
+  const auto said = [](const std::string& cost) {
+    ScratchDir folder;
+    return call({"run",
+                 text_file(folder / "a.yaml",
+                           "manifold: {type: euclidean, dimension: 2, lower: [0, 0], upper: [10, 10]}\ncost: " + cost +
+                               "\nends: {source: {point: [1, 1]}, target: {point: [9, 2]}}\npath: {points: 20}\n"),
+                 "-o", (folder / "out").string()})
+        .err;
+  };
+  for (const char* cost : {"{type: formula, lagrangian: \"sqrt(vx^2 + vy^2) * (1 + log(x - 5))\"}",
+                           "{type: refractive_index, index: {type: formula, n: \"1 + log(x - 5)\"}}",
+                           "{type: scaled, by: \"log(x - 5)\", cost: euclidean}"}) {
+    const std::string message = said(cost);
+    INFO(message);
+    CHECK_THAT(message, Contains("has no value") && Contains("at "));
+    CHECK_THAT(message, !Contains("nan") && !Contains("is not positive"));
+  }
+}
+
+TEST_CASE("config errors: an arm of other joints than the default masses are of is told whose they are") {
+  const std::string text =
+      "manifold: {type: euclidean, dimension: 4}\ncost: kinetic_energy\n"
+      "ends: {source: {point: [0, 0, 0, 0]}, target: {point: [1, 1, 1, 1]}}\n";
+  ScratchDir folder;
+  CHECK_THAT(call({"run", text_file(folder / "a.yaml", text), "-o", (folder / "out").string()}).err,
+             Contains("has 7 joints, but points of the domain have 4 coordinates: it is 'panda'"));
+}
+
 }  // namespace leastcost::test

@@ -92,7 +92,7 @@ TEST_CASE("poses: what is no pose, no box, no weight and no obstacle of theirs i
              Contains("'weights' in cost"));
   CHECK_THAT(errors_of(poses_between("se2", "[-2, 0, 0]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0, 0], radius: 1}]\n")),
-             Contains("in obstacles: ") && Contains("has 3 dimensions, but the domain has 2"));
+             Contains("'obstacles[0]': ") && Contains("has 3 dimensions, but the domain has 2"));
   CHECK_THAT(errors_of(poses_between("se2", "[0.5, 0, 3]", "[2, 0, 0]",
                                      "obstacles: [{type: ball, center: [0, 0], radius: 1}]\n")),
              Contains("end_in_clearance"));

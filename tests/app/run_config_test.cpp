@@ -127,7 +127,7 @@ TEST_CASE("run config: --set of an option alone is for the default type") {
   CHECK_THAT(errors_of(kPlane, {"solver.max_iteration=50"}),
              Contains("--set solver.max_iteration=50: error: unknown key 'max_iteration' in solver (did you mean "
                       "'max_iterations'?)"));
-  CHECK_THAT(errors_of(kPlane + "post_process: [{tolerance: 1}]\n"), Contains("missing key 'type' in post_process.0"));
+  CHECK_THAT(errors_of(kPlane + "post_process: [{tolerance: 1}]\n"), Contains("missing key 'type' in post_process[0]"));
   // A ring has no first path of its own.
   CHECK_THAT(errors_of("manifold: {type: euclidean, dimension: 2}\ncost: euclidean\npath: {ring: true}\n",
                        {"initializer.points=[[1, 0], [0, 1], [1, 1]]"}),

@@ -363,4 +363,107 @@ TEST_CASE("run: missing and broken data are input errors") {
   CHECK_FALSE(fs::exists(dir / "results"));
 }
 
+namespace {
+
+/// A sheet of 4 x 2 squares that is folded by 180 degrees over x = 0.
+std::string folded_sheet(double away = 0) {
+  std::ostringstream text;
+  text.precision(17);
+  for (int i = 0; i <= 4; ++i)
+    for (int j = 0; j <= 2; ++j) text << "v " << away + std::abs(i - 2) * 0.5 << ' ' << away + j * 0.5 << " 0\n";
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const int a = 3 * i + j + 1, b = a + 3;
+      text << "f " << a << ' ' << b << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << a + 1 << '\n';
+    }
+  return text.str();
+}
+
+/// Three sheets that meet in the x axis, each of two squares.
+std::string three_sheets() {
+  std::string text = "v 0 0 0\nv 1 0 0\nv 2 0 0\n";
+  for (const char* side : {"1 0", "-0.5 0.8", "-0.6 -0.7"})
+    for (const char* x : {"0.1", "1.1", "2.1"}) text += std::string("v ") + x + " " + side + "\n";
+  for (int k = 0; k < 3; ++k)
+    for (int i = 1; i <= 2; ++i) {
+      const int c = 3 + 3 * k + i;
+      const auto face = [&](int p, int q, int r) {
+        text += "f " + std::to_string(p) + " " + std::to_string(q) + " " + std::to_string(r) + "\n";
+      };
+      face(i, i + 1, c + 1);
+      face(i, c + 1, c);
+    }
+  return text;
+}
+
+app::WrittenRun between(const fs::path& folder, const std::string& mesh, const std::string& source,
+                        const std::string& target, int points) {
+  write(folder / "mesh.obj", mesh);
+  return run_file(
+      write(folder / "run.yaml", "manifold: {type: mesh, file: mesh.obj}\ncost: euclidean\nends: {source: {" + source +
+                                     "}, target: {" + target + "}}\npath: {points: " + std::to_string(points) + "}\n"),
+      folder / "out");
+}
+
+}  // namespace
+
+/// What is proved is not refused for what rounding makes of a tiny segment, or of a place that is passed twice.
+TEST_CASE("run: proved paths between ends almost at a vertex and between near ends are certified") {
+  const struct {
+    const char *source, *target;
+    int points;
+  } cases[] = {
+      {"face: 4, barycentric: [6.6e-14, 0.99999999999986, 7.4e-14]",
+       "face: 11, barycentric: [2.7e-14, 0, 0.999999999999973]", 10},
+      {"face: 4, barycentric: [0.9999999946809134, 5.319086640141959e-09, 0]", "face: 4, barycentric: [1, 0, 0]", 700},
+      {"face: 5, barycentric: [0, 1, 0]", "face: 5, barycentric: [0, 0.999999979709255, 2.029074502654787e-08]", 300},
+      {"face: 0, barycentric: [0.3, 0.3, 0.4]", "face: 13, barycentric: [0.2, 0.3, 0.5]", 300},
+      {"face: 3, barycentric: [0.1, 0.3, 0.6]", "face: 12, barycentric: [0.1, 0.3, 0.6]", 37},
+  };
+  for (const double away : {0.0, 1e6})
+    for (const auto& one : cases) {
+      if (away > 0 && one.points != 37 && one.source[6] != '0') continue;  // nearer than positions are known there
+      INFO(one.source << " to " << one.target << ", " << away << " from the origin");
+      ScratchDir folder;
+      const app::WrittenRun run = between(folder.path(), folded_sheet(away), one.source, one.target, one.points);
+      const Json result = result_of(folder / "out");
+      INFO(result["failures"].dump());
+      CHECK(result["certified"] == true);
+    }
+}
+
+/// As `field --to` does.
+TEST_CASE("run: a path over an edge of three faces is proved by default") {
+  ScratchDir folder;
+  between(folder.path(), three_sheets(), "face: 0, barycentric: [0.2, 0.2, 0.6]",
+          "face: 6, barycentric: [0.1, 0.4, 0.5]", 20);
+  const Json result = result_of(folder / "out");
+  INFO(result["failures"].dump());
+  CHECK(result["certified"] == true);
+  CHECK(result["scope"] == "global_on_polyhedron");
+}
+
+/// A floor of 2 km and a ball a kilometre away are no reason to doubt the plan of an arm of one metre.
+TEST_CASE("run: the plan of an arm is certified beside what is huge or far off") {
+  for (const char* far :
+       {"{type: box, lower: [-1000, -1000, -1], upper: [1000, 1000, -0.5]}",
+        "{type: ball, center: [1000, 0, 0], radius: 1}", "{type: ball, center: [1000, 0, 0], radius: 998}",
+        "{type: ball, center: [1000000, 0, 0], radius: 1}", "{type: half_space, normal: [0, 0, 1], offset: -300}"}) {
+    INFO(far);
+    ScratchDir folder;
+    run_file(write(folder / "arm.yaml",
+                   "manifold: robot\nrobot: {type: dh_arm, model: panda}\nobstacles:\n"
+                   "  - {type: ball, center: [0.55, 0, 0.45], radius: 0.12}\n"
+                   "  - {type: ball, center: [0.45, 0.35, 0.95], radius: 0.1}\n  - " +
+                       std::string(far) +
+                       "\nclearance: 0.02\ncost: euclidean\nends:\n"
+                       "  source: {point: [-1.2, 0.4, 0, -1.8, 0, 2.2, 0.7]}\n"
+                       "  target: {point: [1.2, 0.5, 0.1, -1.6, 0.2, 2.1, -0.5]}\npath: {points: 50}\n"),
+             folder / "out");
+    const Json result = result_of(folder / "out");
+    INFO(result["failures"].dump());
+    CHECK(result["certified"] == true);
+  }
+}
+
 }  // namespace leastcost::test

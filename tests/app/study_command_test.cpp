@@ -120,6 +120,12 @@ TEST_CASE("study command: what validate, describe and help say of studies") {
   const ScratchDir dir;
   const std::string study = study_in(dir);
   CHECK(call({"validate", study}).out == study + ": valid\n");
+  std::ofstream(dir / "sheet.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  std::ofstream(dir / "mesh.yaml") << "problems:\n  - name: sheet\n    config:\n      manifold: {type: mesh, file: "
+                                      "sheet.obj}\n      cost: euclidean\n      ends: {source: {vertex: 0}, target: "
+                                      "{vertex: 1}}\npoints: [8, 12]\n";
+  CHECK_THAT(call({"validate", (dir / "mesh.yaml").string()}).out,
+             Contains("not checked: the contents of sheet.obj; leastcost study reads it"));
   const Called wrong = call({"validate", study_in(dir, "kernels: [cubic]\n")});
   CHECK(wrong.exit == 3);
   CHECK_THAT(wrong.err, Contains("study.yaml:15:11: error: unknown kernel 'cubic'"));

@@ -126,9 +126,9 @@ TEST_CASE("study errors: each at its place, said once for all cells") {
   check(kStudy + "set: {solver: newton}\n", "'solver' is an axis of this study");
   check(kStudy + "skip: [{solver: newto, because: x}]\n",
         "no value of the axis solver is called 'newto' (did you mean 'newton'?)");
-  check(kStudy + "skip: [{solver: newton}]\n", "missing key 'because' in skip.0");
+  check(kStudy + "skip: [{solver: newton}]\n", "missing key 'because' in skip[0]");
   check(kStudy + "skip: [{because: x}]\n", "would leave out every cell");
-  check(kStudy + "skip: [{sover: newton, because: x}]\n", "unknown key 'sover' in skip.0 (did you mean 'solver'?)");
+  check(kStudy + "skip: [{sover: newton, because: x}]\n", "unknown key 'sover' in skip[0] (did you mean 'solver'?)");
   check("problems:\n  - {config: {manifold: euclidean}}\n", "an inline problem needs a name");
   check("problems:\n  - {name: a, config: {cost: euclidean}}\n", "a.yaml:2:23: error: missing key 'manifold'");
   check("problems:\n  - {config: nowhere.yaml}\n", "a.yaml:2:14: error: nowhere.yaml: cannot be opened");

@@ -120,7 +120,7 @@ TEST_CASE("attached: what does not fit is named with its place") {
     return refusal_of(carrying_arm(replaced(kBox, from, to)), attached_folder());
   };
   CHECK_THAT(refusal_of(carrying_arm(kBox + ", " + kBox), attached_folder()),
-             Contains("'id' in robot.attached.0") && Contains("'crate' is given to two objects"));
+             Contains("'id' in robot.attached[0]") && Contains("'crate' is given to two objects"));
   CHECK_THAT(with("0.1, 0.06, 0.2]", "1e300, 0.06, 0.2]"), Contains("none beyond 1e75"));
   CHECK(refusal_of(carrying_arm(kBox), attached_folder()) == "");
   CHECK_THAT(with("link: palm", "link: hand"), Contains("a.yaml:2") && Contains("has no link 'hand'; it has: beam"));

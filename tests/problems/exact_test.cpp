@@ -615,4 +615,24 @@ TEST_CASE("exact: a constant metric is the Euclidean one on a mesh that was turn
   }
 }
 
+/// Far from the origin positions are known to 1e-10, and so are the lengths of paths: a proof allows for it.
+TEST_CASE("exact: a mesh far from the origin is proved up to the rounding of positions") {
+  constexpr double kAway = 1e6;
+  Random random;
+  for (int trial = 0; trial < 20; ++trial) {
+    PolygonSoup soup = random_sheet(random, Terrain::hills);
+    for (Eigen::Vector3d& x : soup.positions) x += Eigen::Vector3d(kAway, -2 * kAway, kAway);
+    const TriangleMesh mesh(soup);
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    const SurfacePoint source{0, Eigen::Vector3d(0.21, 0.32, 0.47)},
+        target{mesh.face_count() - 1, Eigen::Vector3d(0.2, 0.37, 0.43)};
+    const ExactResult found = search.shortest(source, target, workspace);
+    if (!std::isfinite(found.length)) continue;
+    INFO("trial " << trial << ", gap " << found.gap);
+    CHECK(found.is_proved());
+    CHECK(found.gap <= 1e-7);
+  }
+}
+
 }  // namespace leastcost::test

@@ -561,4 +561,31 @@ TEST_CASE("robot walls: as the configuration moves by the thinnest core no part 
   }
 }
 
+/// A floor of 2 km, a ball far off: what no part comes near to makes no gap less certain.
+TEST_CASE("robot: what is far off or huge makes clearances no less certain") {
+  const RobotPtr arm = panda_arm();
+  const auto near = make_ball({Vector3d(0.55, 0, 0.45), 0.12});
+  const std::vector<std::shared_ptr<const Obstacle>> far = {
+      make_box_obstacle({.lower = Vector3d(-1000, -1000, -1), .upper = Vector3d(1000, 1000, -0.5)}),
+      make_ball({Vector3d(1000, 0, 0), 1}), make_ball({Vector3d(1e6, 0, 0), 1}),
+      make_ball({Vector3d(1000, 0, 0), 990})};
+  const auto plain = std::make_shared<const RobotWalls>(arm, RobotWalls::Obstacles{near}, 0.02);
+  RobotVector a(7), b(7);
+  a << -1.2, 0.4, 0, -1.8, 0, 2.2, 0.7;
+  b << 1.2, 0.5, 0.1, -1.6, 0.2, 2.1, -0.5;
+  const MoveClearance alone = plain->clearance(a, a + 0.2 * (b - a));
+  for (const auto& obstacle : far) {
+    INFO(obstacle->name());
+    const auto walls = std::make_shared<const RobotWalls>(arm, RobotWalls::Obstacles{near, obstacle}, 0.02);
+    CHECK(walls->size() == plain->size());
+    CHECK(walls->computed_from() <= 1000);
+    for (const RobotVector& x : {a, b}) {  // a place is measured up to rounding
+      const MoveClearance here = walls->clearance(x, x);
+      CHECK(here.upper - here.lower <= 1e-9);
+    }
+    const MoveClearance beside = walls->clearance(a, a + 0.2 * (b - a));
+    CHECK(beside.upper == Approx(alone.upper).margin(1e-9));
+  }
+}
+
 }  // namespace leastcost

@@ -13,8 +13,10 @@ namespace leastcost::app {
 
 /// The last lines of --help, of the program and of each command.
 inline constexpr const char* kExitCodes =
-    "Exit codes: 0 certified, 1 internal error, 2 usage, 3 configuration, 4 input, 5 uncertified or collapsed,\n6 no "
-    "path, 7 part of a study or of many pairs failed, 8 output or system error, 130 interrupted";
+    "Exit codes: 0 certified (of many pairs: all; of a study: every cell ended), 1 internal error, 2 usage,\n"
+    "3 configuration, 4 input, 5 uncertified or collapsed (of many pairs: some, but all have a path), 6 no path,\n"
+    "7 part of a study or of many pairs failed, 8 output or system error,\n"
+    "130 interrupted (a study and many pairs: resume with --resume)";
 
 /// What may stand where an argument or the value of an option is asked for.
 enum class Completes {
