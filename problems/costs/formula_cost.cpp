@@ -78,8 +78,9 @@ struct FormulaCost {
     if (std::isfinite(value<double>(Point<double, D>(a), Point<double, D>(b)))) return "";
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     std::ostringstream out;
-    const Eigen::VectorXd middle = (a + b) / 2, v = b - a;
-    out << "at x = " << middle.format(row) << " F(x, v) is not positive for v = " << v.format(row);
+    const Eigen::VectorXd middle = (a + b) / 2, v = (b - a).normalized();
+    const double f = lagrangian.template operator()<double>(Point<double, D>(middle), Point<double, D>(v));
+    out << "at x = " << middle.format(row) << " F(x, v) is not positive for v = " << v.format(row) << ": F = " << f;
     return out.str();
   }
 
