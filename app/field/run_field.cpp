@@ -10,7 +10,6 @@
 #include <leastcost/framework/base/said_of.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
-#include <leastcost/problems/obstacles/free_space.hpp>
 #include <leastcost/problems/obstacles/has_walls.hpp>
 #include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot.hpp>
@@ -65,9 +64,10 @@ EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& ot
 /// Without the walls around cells of a raster that have no data, where there are no others: the costs know them, and a
 /// field keeps no distance from them.
 std::shared_ptr<const ConstraintManifold> without_voids(const RunConfig& config, const Problem& problem) {
-  const auto* free = dynamic_cast<const FreeSpace*>(problem.manifold.get());
-  if (free == nullptr || !config.obstacles.empty() || config.robot || config.clearance > 0) return problem.manifold;
-  const ConstraintManifold* inner = free->decorated(typeid(HasVoids));
+  const bool walls = find_ability<HasWalls>(*problem.manifold) != nullptr;
+  if (!walls || !config.obstacles.empty() || config.robot || config.clearance > 0) return problem.manifold;
+  const ConstraintManifold* inner = problem.manifold->decorated(typeid(HasVoids));
+  if (inner == nullptr) return problem.manifold;
   const bool voids =
       find_ability<HasVoids>(*inner) != nullptr || (problem.cost && find_ability<HasVoids>(*problem.cost) != nullptr);
   if (!voids || find_ability<HasWalls>(*inner) != nullptr) return problem.manifold;
