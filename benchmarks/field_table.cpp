@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 // Fields of least costs in random worlds of each kind, against a field on a lattice eight times as fine: the largest
 // difference, and whether the error that the coarse field states covers it. Constant winds are compared with their
-// closed form, fields in space with one on a lattice four times as fine. Odd seeds were used while the methods were
-// developed, even ones were kept aside.
+// closed form, spheres with great circles, tori with exact distances on a fine mesh, fields in space and media on
+// closed charts with one on a lattice four times as fine. Odd seeds were used while the methods were developed, even
+// ones were kept aside.
 //   field_table [FIRST_SEED] [SEED_STEP] [WORLDS] [KIND]
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -22,13 +24,16 @@
 #include <leastcost/problems/costs/refractive_index.hpp>
 #include <leastcost/problems/costs/walking.hpp>
 #include <leastcost/problems/costs/zermelo.hpp>
+#include <leastcost/problems/exact/exact_search.hpp>
 #include <leastcost/problems/fields/cost_field.hpp>
 #include <leastcost/problems/fields/space_field.hpp>
 #include <leastcost/problems/kernels/kernels.hpp>
 #include <leastcost/problems/manifolds/data/terrain.hpp>
 #include <leastcost/problems/manifolds/euclidean.hpp>
+#include <leastcost/problems/manifolds/parametric.hpp>
 #include <leastcost/problems/obstacles/ball.hpp>
 #include <leastcost/problems/obstacles/free_space.hpp>
+#include "problems/mesh/surface_path.hpp"
 
 namespace {
 
@@ -46,6 +51,52 @@ struct World {
   Problem problem;
   Vector2d source;
   std::function<double(const Vector2d&)> truth;  ///< empty: a finer field
+  double resolution = 1.0 / kCells;
+  int finer = kFiner;
+};
+
+using Eigen::Vector3d;
+
+Vector3d on_sphere(const Vector2d& u) {
+  return {std::cos(u[1]) * std::cos(u[0]), std::cos(u[1]) * std::sin(u[0]), std::sin(u[1])};
+}
+
+/// Exact distances on a fine mesh of a torus, whose vertices are on a lattice of its angles.
+class TorusMesh {
+ public:
+  static constexpr std::int32_t kAround = 240, kTube = 120;
+  TorusMesh(const ConstraintManifold& torus, const Vector2d& source) {
+    PolygonSoup soup;
+    const auto corner = [](std::int32_t a, std::int32_t b) { return a % kAround * kTube + b % kTube; };
+    for (std::int32_t i = 0; i < kAround; ++i)
+      for (std::int32_t j = 0; j < kTube; ++j) {
+        soup.positions.emplace_back(positions(torus, {at(i, j), {}, true}).col(0));
+        for (const std::int32_t v : {corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j),
+                                     corner(i + 1, j + 1), corner(i, j + 1)})
+          soup.corners.push_back(v);
+      }
+    for (std::int32_t k = 0; k <= static_cast<std::int32_t>(soup.corners.size()); k += 3)
+      soup.polygon_begin.push_back(k);
+    const TriangleMesh mesh(soup);
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    const auto v = static_cast<std::int32_t>(number(source));
+    distances_ =
+        search.distances(point_on_face(mesh, mesh.faces_of_vertex(v)[0], mesh.position(v)), workspace).distance;
+  }
+  static Vector2d at(std::int32_t i, std::int32_t j) {
+    return {-M_PI + 2 * M_PI * i / kAround, -M_PI + 2 * M_PI * j / kTube};
+  }
+  double operator()(const Vector2d& u) const { return distances_[number(u)]; }
+
+ private:
+  static std::size_t number(const Vector2d& u) {
+    const auto step = [](double angle, std::int32_t count) {
+      return static_cast<std::int32_t>(std::lround((angle + M_PI) / (2 * M_PI) * count)) % count;
+    };
+    return static_cast<std::size_t>(step(u[0], kAround) * kTube + step(u[1], kTube));
+  }
+  std::vector<double> distances_;
 };
 
 class Maker {
@@ -90,6 +141,39 @@ class Maker {
   }
   World terrain() { return on_terrain(make_euclidean_cost(3)); }
   World walking() { return on_terrain(make_walking_cost({}, 3)); }
+  World sphere() {
+    const Vector2d source(number(-M_PI, M_PI), std::asin(number(-0.99, 0.99)));
+    World world = closed(parametric::Sphere{}, source);
+    world.truth = [from = on_sphere(source)](const Vector2d& u) {
+      const Vector3d to = on_sphere(u);
+      return std::atan2(from.cross(to).norm(), from.dot(to));
+    };
+    return world;
+  }
+  World torus() {
+    const Vector2d source = TorusMesh::at(int(number(0, TorusMesh::kAround - 1)), int(number(0, TorusMesh::kTube - 1)));
+    World world = closed(parametric::Torus{2, 1}, source);
+    world.resolution = 2 * M_PI / (TorusMesh::kTube / 2);
+    world.truth = TorusMesh(*world.problem.manifold, source);
+    return world;
+  }
+  /// A medium on a sphere, a torus, a Klein bottle or a Moebius strip.
+  World closed_media() {
+    std::string n = "1";
+    for (int k = 0; k < 3; ++k) {
+      n += " + " + text(number(0.2, 1.5)) + " * exp(-(";
+      for (const char* axis : {"x", "y", "z"}) n += std::string("(") + axis + " - " + text(number(-2, 2)) + ")^2 + ";
+      n += "0) / " + text(number(0.2, 1)) + ")";
+    }
+    const std::array<parametric::Surface, 4> surfaces = {parametric::Sphere{}, parametric::Torus{2, 1},
+                                                         parametric::KleinBottle{2, 1}, parametric::MoebiusStrip{0.5}};
+    const auto which = std::size_t(number(0, 3.999));
+    const double high = which == 0 ? 1.4 : which == 3 ? 0.45 : M_PI;
+    World world = closed(surfaces[which], {number(-1.5, 1.5), number(-high, high)});
+    world.problem.cost = make_refractive_index_cost({refraction::Formula{n, {}}}, 3);
+    world.finer = 4;
+    return world;
+  }
 
  private:
   static std::string text(double value) { return "(" + std::to_string(value) + ")"; }
@@ -112,6 +196,12 @@ class Maker {
       all.push_back(make_ball({middle, radius}));
     }
     return all;
+  }
+
+  World closed(const parametric::Surface& surface, const Vector2d& source) {
+    World world = of(make_parametric_manifold({surface, {}}), make_euclidean_cost(3), source);
+    world.resolution = 2 * M_PI / 60;
+    return world;
   }
 
   /// Sums of waves, over a unit box with a value at every node of the coarse lattice.
@@ -223,18 +313,23 @@ Result measured_in_space(std::uint32_t seed) {
 }
 
 Result measured(const World& world) {
-  const double step = 1.0 / kCells;
+  const double step = world.resolution;
   const std::clock_t begin = std::clock();
   const CostField coarse = costs_from(world.problem, {world.source}, {.resolution = step});
   Result result{0, coarse.error, 0, double(std::clock() - begin) / CLOCKS_PER_SEC, coarse.method};
   CostField fine;
   if (!world.truth)
-    fine = costs_from(world.problem, {world.source}, {.resolution = step / kFiner, .estimate_error = false});
+    fine = costs_from(world.problem, {world.source}, {.resolution = step / world.finer, .estimate_error = false});
   for (std::int32_t j = 0; j < coarse.count[1]; ++j)
     for (std::int32_t i = 0; i < coarse.count[0]; ++i) {
       const double value = coarse.value(i, j);
       if (!std::isfinite(value)) continue;
-      const double right = world.truth ? world.truth(coarse.node(i, j)) : fine.value(kFiner * i, kFiner * j);
+      const Vector2d node = coarse.node(i, j);
+      const bool common = !world.truth && fine.count[0] == world.finer * (coarse.count[0] - 1) + 1 &&
+                          fine.count[1] == world.finer * (coarse.count[1] - 1) + 1;
+      const double right = world.truth ? world.truth(node)
+                           : common    ? fine.value(world.finer * i, world.finer * j)
+                                       : value_at(fine, node);
       result.worst = std::max(result.worst, std::abs(value - right));
       result.largest = std::max(result.largest, right);
     }
@@ -254,9 +349,11 @@ int main(int argc, char** argv) {
   const std::string only = argc > 4 ? argv[4] : "";
   std::printf("%-10s %-16s %8s %9s %22s %22s %18s %8s\n", "kind", "method", "worlds", "covered", "error/largest: med.",
               "worst", "error/stated worst", "ms");
-  for (const Kind& kind : {Kind{"raster", &Maker::raster}, Kind{"obstacles", &Maker::obstacles},
-                           Kind{"media", &Maker::media}, Kind{"terrain", &Maker::terrain},
-                           Kind{"walking", &Maker::walking}, Kind{"wind", &Maker::wind}, Kind{"space", nullptr}}) {
+  for (const Kind& kind :
+       {Kind{"raster", &Maker::raster}, Kind{"obstacles", &Maker::obstacles}, Kind{"media", &Maker::media},
+        Kind{"terrain", &Maker::terrain}, Kind{"walking", &Maker::walking}, Kind{"wind", &Maker::wind},
+        Kind{"sphere", &Maker::sphere}, Kind{"torus", &Maker::torus}, Kind{"closed", &Maker::closed_media},
+        Kind{"space", nullptr}}) {
     if (!only.empty() && only != kind.name) continue;
     std::vector<double> errors;
     int covered = 0;

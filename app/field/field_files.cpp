@@ -11,8 +11,11 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <memory>
 
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/problems/chart/is_geographic.hpp>
+#include <leastcost/problems/chart/seams.hpp>
 #include <leastcost/problems/raster/has_raster.hpp>
 #include "app/distances/distance_files.hpp"
 #include "catalogue/back_ends/back_ends.hpp"
@@ -158,8 +161,26 @@ RasterGrid cells_around(const CostField& field) {
   return cells;
 }
 
+/// Of longitudes and latitudes on the usual ellipsoid; null for others.
+std::shared_ptr<const RasterCrs> crs_of_earth(const Problem& problem) {
+  constexpr double kEquator = 6378137, kPole = 6356752.314245, kRounding = 1e-5;  // WGS 84, m
+  if (!latitude_first(problem)) return nullptr;
+  CoordinatePath places{Points(2, 2), {}, true};
+  places.u << 0, 90, 0, 0;
+  const Points x = positions(*problem.manifold, places);
+  if (std::abs(x.col(0).norm() - kEquator) > kRounding || std::abs(x.col(1).norm() - kPole) > kRounding) return nullptr;
+  auto crs = std::make_shared<RasterCrs>();
+  crs->name = "WGS 84";
+  crs->wkt =
+      "GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,298.257223563]],PRIMEM[\"Greenwich\",0],UNIT["
+      "\"degree\",0.0174532925199433],AUTHORITY[\"EPSG\",\"4326\"]]";
+  crs->geographic = true;
+  return crs;
+}
+
 std::string lattice_tif(const RunField& field) {
-  RasterGrid cells = cells_around(field.lattice());
+  RasterGrid cells = cells_around(as_map(field));
+  cells.crs = crs_of_earth(field.problem());
   if (const RasterGrid* raster = raster_of(field.problem())) {
     cells.degrees = raster->degrees;
     cells.crs = raster->crs;
@@ -179,6 +200,25 @@ constexpr std::string_view kOfLattice = ".csv, .npy, .asc or .tif", kOfSpace = "
                            kOfMesh = ".csv, .npy, .vtp or .ply";
 
 }  // namespace
+
+bool latitude_first(const Problem& problem) {
+  const auto* earth = find_ability<IsGeographic>(*problem.manifold);
+  return earth != nullptr && find_ability<HasSeams>(*problem.manifold) != nullptr &&
+         earth->longitude_latitude(Eigen::Vector2d(1, 2)) == Eigen::Vector2d(2, 1);
+}
+
+CostField as_map(const RunField& field) {
+  const CostField& given = field.lattice();
+  if (!latitude_first(field.problem())) return given;
+  CostField map = given;
+  map.count = {given.count[1], given.count[0]};
+  map.lower = given.lower.reverse(), map.step = given.step.reverse();
+  for (std::int32_t j = 0; j < map.count[1]; ++j)
+    for (std::int32_t i = 0; i < map.count[0]; ++i)
+      map.values[static_cast<std::size_t>(j) * static_cast<std::size_t>(map.count[0]) + static_cast<std::size_t>(i)] =
+          given.value(j, i);
+  return map;
+}
 
 FieldFormat field_format(std::string_view file) {
   std::string ending(file.substr(std::min(file.size(), file.rfind('.'))));
@@ -219,8 +259,8 @@ std::string field_text(const RunField& field, FieldFormat format) {
     case FieldFormat::npy:
       return mesh    ? mesh_npy(field.mesh(), field.on_vertices())
              : space ? space_npy(field.space())
-                     : lattice_npy(field.lattice());
-    case FieldFormat::asc: return lattice_asc(field.lattice());
+                     : lattice_npy(as_map(field));
+    case FieldFormat::asc: return lattice_asc(as_map(field));
     case FieldFormat::tif: return lattice_tif(field);
     case FieldFormat::vti: return space_vti(field.space(), field.is_corridor() ? "detour" : "cost");
     case FieldFormat::vtp: return vertices_vtp(field.mesh(), "cost", finite_values(field.on_vertices()));

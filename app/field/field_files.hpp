@@ -40,4 +40,9 @@ std::string field_text(const RunField& field, FieldFormat format);
 /// CSV: the number of the way, from 0, and the coordinates of each of its points.
 std::string ways_csv(const RunField& field, const std::vector<FieldWay>& ways);
 
+/// Whether the first coordinate of places on the Earth is the latitude.
+bool latitude_first(const Problem& problem);
+/// A field in two coordinates with east along its first one and north along its second, as maps have them.
+CostField as_map(const RunField& field);
+
 }  // namespace leastcost::app

@@ -14,6 +14,7 @@
 #include <leastcost/framework/problem/clearance.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/raster/has_raster.hpp>
+#include "app/field/field_files.hpp"
 #include "app/plot/legend.hpp"
 #include "app/report/run/cost_bands.hpp"
 #include "app/report/run/plane_frame.hpp"
@@ -139,9 +140,14 @@ bool has_gaps(const Raster& raster, bool covered, const Problem& problem) {
   return false;
 }
 
-Points line_of(const FieldWay& way) {
+/// `turned`: the latitude is first, and upward in a picture.
+Eigen::Vector2d drawn_at(const Eigen::VectorXd& u, bool turned) {
+  return turned ? Eigen::Vector2d(u[1], u[0]) : Eigen::Vector2d(u[0], u[1]);
+}
+
+Points line_of(const FieldWay& way, bool turned) {
   Points line(2, static_cast<Index>(way.points.size()));
-  for (std::size_t k = 0; k < way.points.size(); ++k) line.col(static_cast<Index>(k)) = way.points[k].head<2>();
+  for (std::size_t k = 0; k < way.points.size(); ++k) line.col(static_cast<Index>(k)) = drawn_at(way.points[k], turned);
   return line;
 }
 
@@ -189,7 +195,8 @@ Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, co
   const std::string unit = unit_of_cost(field.problem());
   look.unit = request.unit.empty() && unit == "m" ? "m" : request.unit;
   const Scene scene = scene_of(field);
-  const Raster values = thinned(field.lattice());
+  const bool turned = latitude_first(field.problem());
+  const Raster values = thinned(as_map(field));
   const bool covered = look.obstacles && (!scene.obstacles.empty() || !scene.margins.empty() || !scene.free.empty());
   const Raster shown = covered ? continued(values) : values;
   const std::vector<Tick> levels = levels_of(values, field.is_corridor());
@@ -199,14 +206,15 @@ Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, co
   if (look.obstacles) inside += obstacles_in(scene, frame) + box_sides(scene, frame);
   std::vector<Points> lines;
   lines.reserve(ways.size());
-  for (const FieldWay& way : ways) lines.push_back(line_of(way));
+  for (const FieldWay& way : ways) lines.push_back(line_of(way, turned));
   if (look.path) inside += polylines(lines, frame, "path");
   std::string out = clip_and_hatch(frame) + fmt::format("<g clip-path=\"url(#inside)\">\n{}</g>\n", inside);
   const auto* chart = find_ability<HasChart>(*field.problem().manifold);
   const std::vector<std::string> names =
       chart != nullptr ? chart->coordinate_names() : std::vector<std::string>{"x", "y"};
-  out += frame.axes(look.axis(names[0]), look.axis(names[1]));
-  const auto mark = [&](const Eigen::VectorXd& at, const char* name, double radius) {
+  out += frame.axes(look.axis(names[turned ? 1 : 0]), look.axis(names[turned ? 0 : 1]));
+  const auto mark = [&](const Eigen::VectorXd& u, const char* name, double radius) {
+    const Eigen::Vector2d at = drawn_at(u, turned);
     out += fmt::format("<circle class=\"{}\" cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{:.2g}\"/>\n", name, frame.x(at[0]),
                        frame.y(at[1]), look.mark(radius));
   };
@@ -220,7 +228,7 @@ Figure field_figure(const RunField& field, const std::vector<FieldWay>& ways, co
     out += cost_bar(levels, frame, BandColour::warm, height + 4, title_of(field, look.unit));
     height += cost_bar_height();
   }
-  const bool gaps = has_gaps(shown, covered, field.problem());
+  const bool gaps = has_gaps(shown, covered && !turned, field.problem());
   const Sketch picture{"Least costs", "Lines of equal cost, the sources, and paths", frame.total_width(), height, out};
   const Sketch whole =
       request.parts.legend

@@ -70,6 +70,62 @@ Json error_json(const RunField& field) {
           {"by", "difference from the field on half as many cells"}};
 }
 
+std::string point_text(const Eigen::VectorXd& x) {
+  std::string out = "(";
+  for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.6g}", i > 0 ? ", " : "", x[i]);
+  return out + ")";
+}
+
+/// What a user should know about the nodes of a lattice, in two coordinates or in space.
+template <class Field>
+std::vector<std::string> remarks_on(const Field& field) {
+  std::vector<std::string> all;
+  if (field.free_nodes > 0)
+    all.push_back(
+        fmt::format("a unit of length costs 0 at {} of {} nodes, the first is {}: moves between them are free",
+                    field.free_nodes, field.values.size(), point_text(field.free_at)));
+  if (field.enclosed)
+    all.push_back(fmt::format(
+        "no path leads farther than 5 steps from the {}: obstacles or places without a cost enclose {}, or gaps are "
+        "narrower than a step (then use a smaller --resolution)",
+        field.places.size() > 1 ? "places" : "place", field.places.size() > 1 ? "them" : "it"));
+  return all;
+}
+
+std::vector<std::string> remarks_of(const RunField& field) {
+  if (field.in_space()) return remarks_on(field.space());
+  if (field.on_mesh()) {
+    const auto reached = extent_of(field.values()).reached;
+    if (reached > field.places().size() || field.values().size() <= reached) return {};
+    return {"no path leads farther than the place itself: its part of the mesh has no other vertex"};
+  }
+  const CostField& lattice = field.lattice();
+  std::vector<std::string> all = remarks_on(lattice);
+  constexpr double kRounding = 1e-6;  // of a step
+  if ((lattice.uncovered.array() > kRounding * lattice.step.array()).any())
+    all.push_back(fmt::format(
+        "equal steps do not divide the sides of the box: a strip at its upper edges has no nodes, {:.3g} wide along {} "
+        "and {:.3g} along {}",
+        lattice.uncovered[0], field.names()[0], lattice.uncovered[1], field.names()[1]));
+  return all;
+}
+
+/// A path that costs more than the field has at its end by more than the error.
+std::vector<std::string> remarks_on_ways(const RunField& field, const std::vector<FieldWay>& ways) {
+  constexpr double kRounding = 1e-3;  // of the cost: values are linear between nodes
+  std::vector<std::string> all;
+  for (const FieldWay& way : ways) {
+    if (field.nodes() != FieldNodes::plane || field.is_corridor()) continue;
+    if (!(way.cost > way.value + field.lattice().error + kRounding * way.value)) continue;
+    all.push_back(fmt::format(
+        "the path to {} costs {:.6g}, and the field has {:.6g} there with an error of about {:.2g}: the cost changes "
+        "too much within a step; use a smaller --resolution, or leastcost run between these two places",
+        point_text(field.to_places() ? way.points.front() : way.points.back()), way.cost, way.value,
+        field.lattice().error));
+  }
+  return all;
+}
+
 /// Of a field over a lattice, in two coordinates or in space.
 template <class Field>
 std::string estimate_notes(const Field& field, double largest) {
@@ -124,10 +180,12 @@ std::string nodes_in_words(const RunField& field) {
   return "";
 }
 
-std::string point_text(const Eigen::VectorXd& x) {
-  std::string out = "(";
-  for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.6g}", i > 0 ? ", " : "", x[i]);
-  return out + ")";
+/// Of the configuration, of the nodes and of the paths.
+std::vector<std::string> all_notes(const RunField& field, const std::vector<FieldWay>& ways) {
+  std::vector<std::string> all = field.notes();
+  for (const auto& more : {remarks_of(field), remarks_on_ways(field, ways)})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
 }
 
 }  // namespace
@@ -145,7 +203,7 @@ std::string field_summary_text(const RunField& field, const std::string& output,
   out += field.on_mesh()    ? mesh_notes(field.on_vertices())
          : field.in_space() ? estimate_notes(field.space(), extent.largest)
                             : lattice_notes(field, extent.largest);
-  for (const std::string& note : field.notes()) out += fmt::format("note: {}\n", note);
+  for (const std::string& note : all_notes(field, ways)) out += fmt::format("note: {}\n", note);
   for (const FieldWay& way : ways)
     out += fmt::format("path   from {} to {}: {:.10g} {}\n", point_text(way.points.front()),
                        point_text(way.points.back()), way.cost, unit);
@@ -164,12 +222,13 @@ std::string field_summary_json(const RunField& field, const std::string& output,
   if (field.is_corridor()) out["to"] = places_json({field.target()});
   say_nodes(field, out);
   out["error"] = error_json(field);
-  out["notes"] = field.notes();
+  out["notes"] = all_notes(field, ways);
   out["ways"] = Json::array();
   for (const FieldWay& way : ways)
     out["ways"].push_back({{"begin", numbers(way.points.front())},
                            {"end", numbers(way.points.back())},
                            {"cost", number(way.cost)},
+                           {"value", number(way.value)},
                            {"points", way.points.size()}});
   return to_text(out);
 }

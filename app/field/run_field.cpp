@@ -10,8 +10,11 @@
 #include <leastcost/framework/base/said_of.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/mesh/has_mesh.hpp>
+#include <leastcost/problems/obstacles/has_walls.hpp>
+#include <leastcost/problems/raster/has_voids.hpp>
 #include <leastcost/problems/robots/robot.hpp>
 #include "catalogue/run/run_origin.hpp"
+#include "catalogue/run/voids.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
@@ -56,6 +59,19 @@ void check_ends(const RunConfig& config, const FieldEnds& ends) {
 
 EndOptions with_last(const std::vector<FieldPlace>& places, const EndOptions& otherwise) {
   return places.empty() ? otherwise : places.back().end;
+}
+
+/// Without the walls around cells of a raster that have no data, where there are no others: the costs know them, and a
+/// field keeps no distance from them.
+std::shared_ptr<const ConstraintManifold> without_voids(const RunConfig& config, const Problem& problem) {
+  const bool walls = find_ability<HasWalls>(*problem.manifold) != nullptr;
+  if (!walls || !config.obstacles.empty() || config.robot || config.clearance > 0) return problem.manifold;
+  const ConstraintManifold* inner = problem.manifold->decorated(typeid(HasVoids));
+  if (inner == nullptr) return problem.manifold;
+  const bool voids =
+      find_ability<HasVoids>(*inner) != nullptr || (problem.cost && find_ability<HasVoids>(*problem.cost) != nullptr);
+  if (!voids || find_ability<HasWalls>(*inner) != nullptr) return problem.manifold;
+  return {problem.manifold, inner};
 }
 
 }  // namespace
@@ -113,6 +129,11 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   }
   if (places_.empty() && config.ends_come_later()) problem_ = placed(source_);
   if (places_.empty()) places_ = {problem_.source};
+  notes_ = origin_->parts.notes;
+  if (const auto open = without_voids(config, problem_); open != problem_.manifold) {
+    problem_.manifold = open;
+    std::erase_if(notes_, [](const std::string& note) { return note.starts_with(kVoidsNote); });
+  }
   nodes_ = field_nodes(problem_);
   if (nodes_ == FieldNodes::plane) lattice_ = costs_from(problem_, coordinates_of(places_), options_, monitor);
   if (nodes_ == FieldNodes::space) space_ = space_costs_from(problem_, coordinates_of(places_), options_, monitor);
@@ -123,8 +144,6 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
   fields_ = std::make_shared<const MeshFields>(problem_, stop);
   vertices_ = fields_->from(points_of(*fields_, places_), stop);
 }
-
-const std::vector<std::string>& RunField::notes() const { return origin_->parts.notes; }
 
 PathEnd RunField::place(const FieldPlace& at) const {
   return saying(at, [&] { return origin_->pairs->compose(source_, at.end, origin_->pairs->parts()).problem.target; });
@@ -177,6 +196,7 @@ FieldWay RunField::way(const PathEnd& place, const Monitor& monitor) const {
   const std::vector<Eigen::Vector2d> points = way_down(lattice_, problem_, place.u);
   way.cost = cost_of_way(problem_, points);
   way.points.assign(points.begin(), points.end());
+  way.value = value_at(lattice_, place.u);
   return way;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,8 +32,9 @@ struct FieldEnds {
 
 /// A way between a place and the nearest of those of a field.
 struct FieldWay {
-  std::vector<Eigen::VectorXd> points;  ///< as it is walked; coordinates
-  double cost = 0;                      ///< under the cost of the configuration
+  std::vector<Eigen::VectorXd> points;                      ///< as it is walked; coordinates
+  double cost = 0;                                          ///< under the cost of the configuration
+  double value = std::numeric_limits<double>::quiet_NaN();  ///< of the field at its end; NaN: not known
 };
 
 /// What the nodes of a field are: a lattice in two coordinates, one in space, or the vertices of a mesh.
@@ -72,7 +74,7 @@ class RunField {
   /// Of the coordinates: x and y, the joints of an arm, x, y and the angle of a body.
   std::vector<std::string> names() const;
   /// What the user should know about how the configuration was read.
-  const std::vector<std::string>& notes() const;
+  const std::vector<std::string>& notes() const { return notes_; }
   /// Of all nodes; NaN: no path.
   const std::vector<double>& values() const {
     return on_mesh() ? vertices_.values : in_space() ? space_.values : lattice_.values;
@@ -80,6 +82,7 @@ class RunField {
 
  private:
   std::shared_ptr<const RunOrigin> origin_;
+  std::vector<std::string> notes_;
   EndOptions source_;  ///< of the configuration, or the first of the places
   bool has_target_ = true;
   Problem problem_;

@@ -340,10 +340,10 @@ void Composer::put_among(ListedObstacles obstacles) {
   out_.problem.manifold = context_.manifold = among(std::move(obstacles), clearance, robot, out_.problem.manifold);
   if (robot != nullptr && !robot->whose.empty()) out_.notes.push_back("clearances refer to " + robot->whose);
   if (voids_.any() && !(config_.clearance > 0))
-    out_.notes.push_back(
-        fmt::format("places without data are obstacles; the path keeps {:.6g} away from them, a tenth of a cell (to "
-                    "change this, set 'clearance')",
-                    clearance));
+    out_.notes.push_back(kVoidsNote +
+                         fmt::format("the path keeps {:.6g} away from them, a tenth of a cell (to change this, set "
+                                     "'clearance')",
+                                     clearance));
 }
 
 /// Goals that obstacles or the domain do not let be ends are left out; what is left of them is tried.

@@ -9,6 +9,9 @@
 
 namespace leastcost {
 
+/// How the note on them begins.
+inline constexpr const char* kVoidsNote = "places without data are obstacles; ";
+
 /// The places without data of rasters, as obstacles.
 struct Voids {
   FreeSpace::Obstacles obstacles;

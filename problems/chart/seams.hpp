@@ -26,6 +26,8 @@ class HasSeams {
   static constexpr std::string_view kAbility = "chart with seams";
   virtual ~HasSeams() = default;
   virtual const std::vector<Seam>& seams() const = 0;  ///< all of them
+  /// Least and greatest coordinates, 2 x 2, one coordinate a row; infinite where the chart has no edge.
+  virtual Eigen::Matrix2d edges() const = 0;
 };
 
 /// The image of a point after `windings` turns across each seam (one entry per seam).

@@ -79,12 +79,11 @@ struct FormulaCost {
     if (std::isfinite(value<double>(Point<double, D>(a), Point<double, D>(b)))) return "";
     const Eigen::IOFormat row(6, Eigen::DontAlignCols, ", ", ", ", "", "", "(", ")");
     std::ostringstream out;
-    const Eigen::VectorXd middle = (a + b) / 2, v = b - a;
-    out << "at x = " << middle.format(row)
-        << (std::isnan(lagrangian.template operator()<double>(Point<double, D>(middle), Point<double, D>(v)))
-                ? " F(x, v) has no value for v = "
-                : " F(x, v) is not positive for v = ")
-        << v.format(row);
+    const Eigen::VectorXd middle = (a + b) / 2, v = (b - a).normalized();
+    const double f = lagrangian.template operator()<double>(Point<double, D>(middle), Point<double, D>(v));
+    out << "at x = " << middle.format(row) << (std::isnan(f) ? " F(x, v) has no value" : " F(x, v) is not positive")
+        << " for v = " << v.format(row);
+    if (!std::isnan(f)) out << ": F = " << f;
     return out.str();
   }
 

@@ -93,6 +93,7 @@ bool ArrivalField::sharpen_node(std::int32_t node, std::vector<Eigen::Vector2f>&
 /// in that order, because a node may depend on one that comes later.
 void ArrivalField::sharpen(const std::function<bool()>& stop) {
   constexpr int kMostSweeps = 100, kNodesPerLook = 1024;
+  constexpr unsigned char kMostTurns = 20;  // of a node: beside a cliff values go up and down without end
   std::vector<Eigen::Vector2f> gradients(arrivals_.size(), Eigen::Vector2f::Zero());
   std::vector<unsigned char> fixed(arrivals_.size(), 0);
   for (const auto& [node, move] : starts_) {
@@ -111,6 +112,7 @@ void ArrivalField::sharpen(const std::function<bool()>& stop) {
   }
   std::sort(order.begin(), order.end(), [this](std::int32_t a, std::int32_t b) { return value(a) < value(b); });
   std::vector<unsigned char> waiting(arrivals_.size(), 1);  // nodes beside one that has changed
+  std::vector<unsigned char> turns(arrivals_.size(), 0);
   for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
     bool changed = false;
     int steps = 0;
@@ -119,6 +121,7 @@ void ArrivalField::sharpen(const std::function<bool()>& stop) {
         throw Interrupted("field: interrupted while the arrival costs were computed");
       if (waiting[static_cast<std::size_t>(node)] == 0) continue;
       waiting[static_cast<std::size_t>(node)] = 0;
+      if (++turns[static_cast<std::size_t>(node)] > kMostTurns) continue;
       if (!sharpen_node(node, gradients)) continue;
       changed = true;
       const std::array<std::int32_t, 3> at = lattice_.place(node);

@@ -11,11 +11,11 @@
 #include <leastcost/framework/cost/has_conformal_metric.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/domain/checks_moves.hpp>
-#include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/fields/arrival_field.hpp"
+#include "problems/fields/closed_lattice.hpp"
 #include "problems/fields/field_error.hpp"
 #include "problems/fields/field_lattice.hpp"
 #include "problems/fields/grid_search.hpp"
@@ -47,12 +47,6 @@ void check_problem(const Problem& problem) {
     throw InputError(
         "field: needs a mesh, space or a box of it, or a domain with two coordinates (the plane, a box of it, terrain, "
         "a chart); here leastcost run gives the least cost between two places, with --pairs between many");
-  const auto* images = find_ability<HasImages>(domain);
-  if (images != nullptr && !images->images(problem.source.u, problem.source.u, 1).empty())
-    throw InputError(
-        "field: longitudes, the angles of a torus and other coordinates that close on themselves have none; leastcost "
-        "run gives the least cost between two places, with --pairs between many; or compute the field on a mesh of "
-        "the surface");
 }
 
 /// n at the nodes; nothing where a unit of length does not cost the same in all directions.
@@ -114,12 +108,18 @@ class FieldMaker {
     return march.values();
   }
 
-  std::vector<double> arrived(const Lattice2& lattice) const {
+  std::vector<double> arrived(const Lattice2& lattice, const std::vector<Seam>& seams) const {
+    if (seams.empty()) return arrived(lattice, places_);
+    const LaidOut wide(lattice, seams);
+    return wide.folded(arrived(wide.lattice(), wide.images(places_)));
+  }
+
+  std::vector<double> arrived(const Lattice2& lattice, const std::vector<Eigen::VectorXd>& places) const {
     LatticeBox box{lattice.lower, lattice.place(lattice.count[0] - 1, lattice.count[1] - 1), {}, {}};
     ArrivalField::Way how;
     how.whole = true;
     how.reversed = to_places_;
-    for (std::size_t i = 1; i < places_.size(); ++i) how.sources.emplace_back(places_[i]);
+    for (std::size_t i = 1; i < places.size(); ++i) how.sources.emplace_back(places[i]);
     how.cells = {lattice.count[0] - 1, lattice.count[1] - 1};
     const ArrivalField field(problem_, moves_, box, 0, how, [this] { return monitor_.interrupted(); });
     std::vector<double> values;
@@ -200,39 +200,52 @@ void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& 
 
 }  // namespace
 
-CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
-                     const CostFieldOptions& options, const Monitor& monitor) {
+CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& given, const CostFieldOptions& options,
+                     const Monitor& monitor) {
   check_problem(problem);
   const std::optional<RasterPlaces> raster = raster_places_of(*problem.cost);
-  const LatticeBox box = field_box(problem, raster);
+  const ChartBox chart = chart_box(problem);
+  const LatticeBox box = field_box(problem, raster, chart);
+  Lattice2 lattice = field_lattice(box, raster, options.resolution, options.equal_steps);
+  close_lattice(chart.seams, options.equal_steps, lattice);
+  std::vector<Eigen::VectorXd> places;
+  places.reserve(given.size());
+  for (const Eigen::VectorXd& place : given) places.push_back(in_period(lattice, chart.seams, place));
   check_places(places, box);
-  const Lattice2 lattice = field_lattice(box, raster, options.resolution, options.equal_steps);
   const Lattice2 half = every_second(lattice);
   const bool estimates = options.estimate_error && std::min(half.count[0], half.count[1]) >= 2;
   CostField field;
   field.count = lattice.count, field.lower = lattice.lower, field.step = lattice.step;
   field.places = places;
+  field.seams = chart.seams;
   field.to_places = options.to_places;
   field.directed = !problem.cost->traits().symmetric;
   const FieldMaker maker(problem, places, options.to_places, monitor);
   if (field.directed) field.asymmetry = maker.asymmetry(lattice);
   const std::optional<std::vector<double>> densities = densities_of(problem, lattice);
   field.method = densities ? "isotropic march" : "arrival field";
-  field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice);
+  field.values = densities ? maker.marched(lattice, *densities) : maker.arrived(lattice, chart.seams);
   check_left(problem, places, lattice, field);
+  const auto place_of = [&lattice](std::size_t node) -> Eigen::VectorXd {
+    const auto number = static_cast<std::int32_t>(node);
+    return lattice.place(number % lattice.count[0], number / lattice.count[0]);
+  };
+  if (densities) count_free_nodes(*densities, place_of, field);
+  field.enclosed = is_enclosed<2>(field);
+  if (field.enclosed) check_cost_at(problem, places);
+  if (!raster || options.resolution || options.equal_steps)
+    field.uncovered = (box.upper - lattice.place(lattice.count[0] - 1, lattice.count[1] - 1)).cwiseMax(0);
   if (!raster)  // whose cells without data are known
-    field.without_cost = why_some_without_cost(problem, field.values, [&lattice](std::size_t node) -> Eigen::VectorXd {
-      const auto number = static_cast<std::int32_t>(node);
-      return lattice.place(number % lattice.count[0], number / lattice.count[0]);
-    });
+    field.without_cost = why_some_without_cost(problem, field.values, place_of);
   // Errors of order h log(1 / h) fall by less than half: the difference is then down to a third of the error.
   const bool smooth = densities && find_ability<ChecksMoves>(*problem.manifold) == nullptr;
   const double factor = smooth ? kOfDensities : kFirstOrder;
   if (estimates)
-    estimate_error(every_second(field.values, lattice),
-                   densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half), factor,
-                   field);
-  if (estimates) allow_for_meeting_fronts<2>(field);
+    estimate_error(
+        every_second(field.values, lattice),
+        densities ? maker.marched(half, every_second(*densities, lattice)) : maker.arrived(half, chart.seams), factor,
+        field);
+  if (estimates) allow_for_meeting_fronts<2>(field, !field.seams.empty());
   for (double& value : field.values)
     if (!std::isfinite(value)) value = std::numeric_limits<double>::quiet_NaN();
   return field;

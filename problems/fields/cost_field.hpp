@@ -14,6 +14,7 @@
 #include <leastcost/eigen_alignment.hpp>
 #include <leastcost/framework/base/monitor.hpp>
 #include <leastcost/framework/problem/problem.hpp>
+#include <leastcost/problems/chart/seams.hpp>
 
 namespace leastcost {
 
@@ -24,8 +25,9 @@ struct CostField {
   Eigen::Vector2d step = Eigen::Vector2d::Ones();   ///< from node to node
   std::vector<double> values;                       ///< row by row, the lowest y first; NaN: no path
   std::vector<Eigen::VectorXd> places;              ///< the costs are from, or to, the nearest of these; coordinates
-  bool to_places = false;                           ///< costs of the way to them, not from them
-  bool directed = false;                            ///< there and back may differ
+  std::vector<Seam> seams;  ///< across which the lattice closes on itself: its ends are the same
+  bool to_places = false;   ///< costs of the way to them, not from them
+  bool directed = false;    ///< there and back may differ
   /// The largest ratio of the costs of a short move and of the same move back, at a sample of the nodes. Beyond
   /// kFaithfulAsymmetry values can be wrong by more than `error`: the lattice has too few directions for the narrow
   /// cone in which moves are cheap.
@@ -40,6 +42,11 @@ struct CostField {
   /// Why some nodes have no value that no obstacle keeps out: their cost is not positive or not finite. In words, with
   /// one of the places; empty where there are none.
   std::string without_cost;
+  std::size_t free_nodes = 0;                         ///< at which a unit of length costs nothing
+  Eigen::Vector2d free_at = Eigen::Vector2d::Zero();  ///< the first of them, coordinates
+  bool enclosed = false;  ///< no node farther than a few steps from the places is reached, though there are some
+  /// How far the box goes on beyond the last nodes, coordinates: more than a rounding error with equal steps only.
+  Eigen::Vector2d uncovered = Eigen::Vector2d::Zero();
   std::size_t unresolved = 0;  ///< nodes that only the finer of the two fields reaches: passages of one or two cells
 
   /// The coordinates of node (i, j).
@@ -64,11 +71,12 @@ struct CostFieldOptions {
 
 /// The least cost from the nearest of some places (coordinates; at least one) to every node, under the cost of a
 /// problem, in its domain and among its obstacles. The box is that of the domain, else that of a raster of costs, else
-/// one around the ends of the problem with their distance as margin; a problem's ends have no other part in it. Where a
+/// one around the ends of the problem with their distance as margin; a problem's ends have no other part in it. A chart
+/// that closes on itself has one period along its seams, and fields cross them. Where a
 /// unit of length costs the same in all directions the field is by IsotropicMarch, elsewhere by the line elements at
 /// the nodes (ArrivalField). Both are of second order where the cost is smooth, and of first order beside obstacles and
-/// at kinks of the cost. Throws InputError for rings, for domains without two coordinates and for those that close on
-/// themselves, for places outside and those that no path leaves; OptionError ("resolution"), also for one that leaves
+/// at kinks of the cost. Throws InputError for rings, for domains without two coordinates and for angles of
+/// joints, for places outside and those that no path leaves; OptionError ("resolution"), also for one that leaves
 /// fewer than four cells along a side; Interrupted.
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
                      const CostFieldOptions& options = {}, const Monitor& monitor = {});
@@ -81,6 +89,9 @@ CostField corridor(const CostField& from, const CostField& to);
 /// is walked. Its cost exceeds the least by about the error of the field; improve_path() makes it a certified path.
 /// Throws InputError where the place is outside the field or has no way.
 std::vector<Eigen::Vector2d> way_down(const CostField& field, const Problem& problem, const Eigen::Vector2d& place);
+
+/// The value of a field at a place, linear between nodes; NaN where one of them has none.
+double value_at(const CostField& field, const Eigen::Vector2d& place);
 
 /// What a way costs under the cost of a problem, each move in pieces.
 double cost_of_way(const Problem& problem, const std::vector<Eigen::Vector2d>& way);

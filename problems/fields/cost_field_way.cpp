@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // The way down a field of least costs.
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <string>
@@ -12,6 +14,7 @@
 #include <leastcost/problems/fields/cost_field.hpp>
 #include <leastcost/problems/fields/space_field.hpp>
 #include "problems/fields/arrival_field.hpp"
+#include "problems/fields/closed_lattice.hpp"
 #include "problems/fields/field_descent.hpp"
 #include "problems/fields/grid_search.hpp"
 #include "problems/fields/lattice_box.hpp"
@@ -79,10 +82,23 @@ std::vector<Vector2d> way_in_current(const CostField& field, const Problem& prob
   return way;
 }
 
+/// The same field beyond its seams, on which ways go across them.
+CostField laid_out(const CostField& field) {
+  const LaidOut wide({field.lower, field.step, field.count}, field.seams);
+  CostField out = field;
+  out.seams.clear();
+  out.lower = wide.lattice().lower, out.count = wide.lattice().count;
+  out.values = wide.unfolded(field.values);
+  out.places = wide.images(field.places);
+  return out;
+}
+
 }  // namespace
 
 std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, const Vector2d& place) {
   if (!place.allFinite()) throw InputError("field: a place needs two finite coordinates");
+  if (!field.seams.empty())
+    return way_down(laid_out(field), problem, in_period({field.lower, field.step, field.count}, field.seams, place));
   const Vector2d last = field.node(field.count[0] - 1, field.count[1] - 1);
   if (((place - field.lower + field.step).array() < 0).any() || ((last + field.step - place).array() < 0).any())
     throw InputError("field: the place " + in_words(place) + " is outside the field, which reaches from " +
@@ -98,6 +114,19 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
                      in_words(place) + " is lost between the nodes: use a smaller resolution");
   std::vector<Vector2d> tight = tightened(problem, way, field.step.minCoeff(), {field.lower, last});
   return cost_of_way(problem, tight) < cost_of_way(problem, way) ? tight : way;
+}
+
+double value_at(const CostField& field, const Vector2d& place) {
+  const Vector2d named = in_period({field.lower, field.step, field.count}, field.seams, place);
+  const Vector2d at = (named - field.lower).cwiseQuotient(field.step);
+  const auto low = [&](std::size_t d) {
+    return static_cast<std::int32_t>(
+        std::clamp(std::floor(at[static_cast<Eigen::Index>(d)]), 0.0, field.count[d] - 2.0));
+  };
+  const std::int32_t i = low(0), j = low(1);
+  const double s = std::clamp(at[0] - i, 0.0, 1.0), t = std::clamp(at[1] - j, 0.0, 1.0);
+  return (1 - t) * ((1 - s) * field.value(i, j) + s * field.value(i + 1, j)) +
+         t * ((1 - s) * field.value(i, j + 1) + s * field.value(i + 1, j + 1));
 }
 
 namespace {

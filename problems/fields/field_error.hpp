@@ -34,13 +34,13 @@ void estimate_error(const std::vector<double>& fine, const std::vector<double>& 
   field.mean_error = factor * sum / static_cast<double>(common);
 }
 
-/// The fields of several places meet in a kink, which may lie between the nodes of both lattices. Raises the error to a
-/// quarter of the largest second difference of the values. Nodes within two steps of a place, around which each field
-/// is a cone, do not count.
+/// The fields of several places, and the two sides of one that goes round a closed domain, meet in a kink, which may
+/// lie between the nodes of both lattices. Raises the error to a quarter of the largest second difference of the
+/// values. Nodes within two steps of a place, around which each field is a cone, do not count.
 template <std::size_t D, class Field>
-void allow_for_meeting_fronts(Field& field) {
+void allow_for_meeting_fronts(Field& field, bool closes_on_itself = false) {
   constexpr double kPart = 0.25, kNear = 2.5;
-  if (field.places.size() < 2) return;
+  if (field.places.size() < 2 && !closes_on_itself) return;
   std::array<std::ptrdiff_t, D> stride, node{};
   std::ptrdiff_t size = 1;
   for (std::size_t d = 0; d < D; ++d) {
@@ -73,6 +73,41 @@ void allow_for_meeting_fronts(Field& field) {
     }
   }
   field.error = std::max(field.error, kPart * most);
+}
+
+/// Counts the nodes at which a unit of length costs nothing, and keeps the first. `place`: of a node by its number.
+template <class Field, class Place>
+void count_free_nodes(const std::vector<double>& densities, const Place& place, Field& field) {
+  for (std::size_t k = 0; k < densities.size(); ++k)
+    if (densities[k] == 0 && field.free_nodes++ == 0) field.free_at = place(k);
+}
+
+/// Whether no node farther than a few steps from the places is reached, though there are some.
+template <std::size_t D, class Field>
+bool is_enclosed(const Field& field) {
+  constexpr double kNear = 5;  // steps; paths leave a place straight for the nodes within 3.5
+  bool some_far = false;
+  for (std::size_t i = 0; i < field.values.size(); ++i) {
+    std::size_t rest = i;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::array<double, D> node{};
+    for (std::size_t d = 0; d < D; ++d) {
+      node[d] = static_cast<double>(rest % static_cast<std::size_t>(field.count[d]));
+      rest /= static_cast<std::size_t>(field.count[d]);
+    }
+    for (const auto& place : field.places) {
+      double far = 0;
+      for (std::size_t d = 0; d < D; ++d) {
+        const auto k = static_cast<std::ptrdiff_t>(d);
+        far = std::max(far, std::abs((place[k] - field.lower[k]) / field.step[k] - node[d]));
+      }
+      nearest = std::min(nearest, far);
+    }
+    if (nearest <= kNear) continue;
+    if (std::isfinite(field.values[i])) return false;
+    some_far = true;
+  }
+  return some_far;
 }
 
 /// The sum of two fields over the same nodes less its least value, with the errors of both. False: no node has a way to

@@ -33,7 +33,8 @@ std::optional<RasterPlaces> raster_places_of(const SegmentCost& cost) {
   return std::nullopt;
 }
 
-LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster) {
+LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster, const ChartBox& chart) {
+  if (!raster && chart.complete()) return {chart.lower, chart.upper, {}, {}};
   const auto* domain = find_ability<HasBox>(*problem.manifold);
   const bool boxed = domain != nullptr && domain->box_lower().allFinite() && domain->box_upper().allFinite() &&
                      domain->box_lower().size() > 0 && domain->box_upper().size() > 0;
@@ -41,7 +42,14 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
     throw InputError(
         "field: the domain has no box, and one place alone gives none: give the manifold lower and upper, or name a "
         "second place (--to X,Y, or ends)");
-  if (!raster) return LatticeBox::of(problem, {}, {});
+  if (!raster) {
+    LatticeBox box = LatticeBox::of(problem, {}, {});
+    for (Eigen::Index c = 0; c < box.lower.size() && c < 2; ++c) {
+      if (std::isfinite(chart.lower[c])) box.lower[c] = chart.lower[c];
+      if (std::isfinite(chart.upper[c])) box.upper[c] = chart.upper[c];
+    }
+    return box;
+  }
   LatticeBox box{raster->lower, raster->upper, {}, {}};
   if (domain != nullptr && domain->box_lower().size() > 0) box.lower = box.lower.cwiseMax(domain->box_lower());
   if (domain != nullptr && domain->box_upper().size() > 0) box.upper = box.upper.cwiseMin(domain->box_upper());

@@ -7,6 +7,7 @@
 
 #include <leastcost/eigen_alignment.hpp>
 #include <leastcost/framework/problem/problem.hpp>
+#include "problems/fields/closed_lattice.hpp"
 #include "problems/fields/isotropic_march.hpp"
 #include "problems/fields/lattice_box.hpp"
 
@@ -21,9 +22,9 @@ struct RasterPlaces {
 /// Of a raster of costs; nothing for another cost.
 std::optional<RasterPlaces> raster_places_of(const SegmentCost& cost);
 
-/// The box of the domain, within that of the raster if there is one; without both, one around the ends. Throws
-/// InputError where there is none.
-LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster);
+/// The box of the domain, within that of the raster if there is one; without both, what the chart says, and else one
+/// around the ends. Throws InputError where there is none.
+LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& raster, const ChartBox& chart = {});
 
 /// Along each side of the box: a lattice of every second node, for the error, then has two.
 inline constexpr double kFewestCells = 4;

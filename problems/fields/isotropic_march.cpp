@@ -28,16 +28,15 @@ IsotropicMarch::IsotropicMarch(const Lattice& lattice, const std::vector<double>
     lengths_[k] = moves_[k].norm();
   }
   const auto size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(lattice.count[1] + 2);
-  nodes_.assign(size, {kUnreached, 0, 0, std::numeric_limits<float>::infinity(), 0});
-  final_.assign(size, 1);
+  nodes_.assign(size, {kUnreached, 0, 0, std::numeric_limits<float>::infinity(), 1});
   std::size_t next = 0;
   for (std::int32_t j = 0; j < lattice.count[1]; ++j)
     for (std::int32_t i = 0; i < lattice.count[0]; ++i) {
       const double n = densities[next++];
       if (!(n >= 0) || !(n < kUnreached)) continue;
-      const auto node = static_cast<std::size_t>(number(i, j));
-      nodes_[node].density = static_cast<float>(n);
-      final_[node] = 0;
+      Node& node = nodes_[static_cast<std::size_t>(number(i, j))];
+      node.density = static_cast<float>(n);
+      node.final = 0;
     }
 }
 
@@ -60,19 +59,17 @@ void IsotropicMarch::start(const Vector2d& source,
       if (move.cwiseQuotient(lattice_.step).norm() > kReach || !(node.density < kUnreached)) continue;
       const double c = cost(source, here);
       if (!(c < node.u) || (passes_ && !passes_(source, here))) continue;
-      const double length = move.norm();
-      const Vector2d direction = length > 0 ? Vector2d(move / length) : Vector2d::Zero();
       node.u = c;
-      node.px = static_cast<float>(direction[0]), node.py = static_cast<float>(direction[1]);
-      node.length = static_cast<float>(length);
+      node.px = static_cast<float>(move[0]), node.py = static_cast<float>(move[1]);
       started_.push_back(number_here);
     }
 }
 
-bool IsotropicMarch::inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far,
+/// n is bilinear in the cell: its integral along a move is (n(node) + n(a)) / 2 + dn s, with the fourth corner in dn.
+bool IsotropicMarch::inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far, double fourth,
                                  Offer& offer) const {
   constexpr double kSameFront = 0.5;  // the cosine between the gradients of one front
-  constexpr int kSteps = 3;
+  constexpr int kSteps = 2;           // from the secant of the slopes: what is left counts by its square
   const Node &a = nodes_[static_cast<std::size_t>(near)], &b = nodes_[static_cast<std::size_t>(far)];
   // The edge is `near` + s q along the other axis, s from 0 to 1; `node` is p off `near`.
   const std::size_t k = axis;
@@ -85,9 +82,9 @@ bool IsotropicMarch::inside_edge(const Node& node, std::size_t axis, std::int32_
   if (double(a.px) * double(b.px) + double(a.py) * double(b.py) < kSameFront * double(a.density) * double(b.density))
     slope_a = slope_b = rise;
   const double n0 = 0.5 * (double(node.density) + double(a.density));
-  const double dn = 0.5 * (double(b.density) - double(a.density));
+  const double dn = (double(b.density) - double(a.density)) / 3 + (fourth - double(node.density)) / 6;
   // The slopes of the sum at both ends say whether its least value is inside.
-  const double diagonal = std::sqrt(p * p + q * q);
+  const double diagonal = lengths_[1];
   const double first = slope_a + dn * p, last = slope_b + dn * diagonal + (n0 + dn) * q * q / diagonal;
   if (!(first < 0) || !(last > 0)) return false;
   const double curve_a = slope_a - rise, curve_b = slope_b - rise;
@@ -116,11 +113,9 @@ bool IsotropicMarch::take(std::int32_t number, const Offer& offer) {
     const Vector2d here = place(number);
     if (!passes_(here + Vector2d(offer.x, offer.y), here)) return false;
   }
-  const double length = std::sqrt(offer.x * offer.x + offer.y * offer.y);
   node.u = offer.u;
-  node.px = static_cast<float>(-offer.x / length);
-  node.py = static_cast<float>(-offer.y / length);
-  node.length = static_cast<float>(length);
+  node.px = static_cast<float>(-offer.x);
+  node.py = static_cast<float>(-offer.y);
   return true;
 }
 
@@ -128,24 +123,31 @@ bool IsotropicMarch::take(std::int32_t number, const Offer& offer) {
 /// whose direction is that of the ray half a length earlier.
 void IsotropicMarch::finish(std::int32_t number) {
   constexpr double kSmooth = 0.3;  // of n within a move: more is a jump, at which no gradient of n bends a ray
-  final_[static_cast<std::size_t>(number)] = 1;
   Node& node = nodes_[static_cast<std::size_t>(number)];
+  node.final = 1;
   const double n = node.density;
-  const auto growth = [&](int axis) {
-    const std::int32_t to = axis == 0 ? 1 : width_;
+  const auto growth = [&](std::int32_t to, double step) {
     const float before = nodes_[static_cast<std::size_t>(number - to)].density,
                 after = nodes_[static_cast<std::size_t>(number + to)].density;
-    return std::isfinite(before) && std::isfinite(after) ? double(after - before) / (2 * lattice_.step[axis]) : 0.0;
+    const double rise = double(after) - double(before);
+    return std::abs(rise) < kUnreached ? rise / (4 * step) : 0.0;  // not finite: no value on one side
   };
-  Vector2d direction(node.px, node.py), bend(growth(0), growth(1));
-  bend *= 0.5 * double(node.length);
-  if (n > 0 && bend.norm() < kSmooth * n) {
-    direction += bend / n - bend.dot(direction) / n * direction;
-    const double norm = direction.norm();
-    if (norm > 0) direction /= norm;
+  const double x = node.px, y = node.py, length = std::sqrt(x * x + y * y);
+  if (!(length > 0) || !(n > 0)) {
+    node.px = node.py = 0;
+    return;
   }
-  node.px = static_cast<float>(n * direction[0]);
-  node.py = static_cast<float>(n * direction[1]);
+  // The bend, times the length and n.
+  const double bx = length * growth(1, lattice_.step[0]), by = length * growth(width_, lattice_.step[1]);
+  double gx = x / length, gy = y / length;
+  if (bx * bx + by * by < kSmooth * kSmooth * n * n) {
+    const double along = (bx * gx + by * gy) / n;
+    gx += bx / n - along * gx, gy += by / n - along * gy;
+    const double scale = 1 / std::sqrt(gx * gx + gy * gy);
+    gx *= scale, gy *= scale;
+  }
+  node.px = static_cast<float>(n * gx);
+  node.py = static_cast<float>(n * gy);
 }
 
 void IsotropicMarch::run(const std::function<bool()>& stop) {
@@ -157,34 +159,39 @@ void IsotropicMarch::run(const std::function<bool()>& stop) {
     if (steps % kNodesPerLook == 0 && stop && stop())
       throw Interrupted("field: interrupted before all nodes were reached");
     const auto [c, by] = queue.pop();
-    if (final_[static_cast<std::size_t>(by)] != 0) continue;
+    if (nodes_[static_cast<std::size_t>(by)].final != 0) continue;
     finish(by);
     const Node& from = nodes_[static_cast<std::size_t>(by)];
     for (std::size_t k = 0; k < ring_.size(); ++k) {
       const std::int32_t number = by + ring_[k];
-      if (final_[static_cast<std::size_t>(number)] != 0) continue;
       const Node& node = nodes_[static_cast<std::size_t>(number)];
+      if (node.final != 0) continue;
       // A move inside a cell needs all of its corners: nothing is known where one has no cost.
-      const auto in_cell = [&](std::int32_t corner) {
-        return nodes_[static_cast<std::size_t>(corner)].density < kUnreached;
+      const auto density = [&](std::int32_t corner) {
+        return double(nodes_[static_cast<std::size_t>(corner)].density);
       };
       const std::size_t back = (k + 4) % 8;  // of `by` in the ring of the node
       bool cheaper = false;
       for (const std::size_t turn : {std::size_t{1}, std::size_t{7}}) {
         const std::size_t beside = (back + turn) % 8;
         const std::int32_t other = number + ring_[beside];
-        if (final_[static_cast<std::size_t>(other)] == 0 ||
-            !(nodes_[static_cast<std::size_t>(other)].density < kUnreached))
-          continue;
+        const Node& beyond = nodes_[static_cast<std::size_t>(other)];
+        if (beyond.final == 0 || !(beyond.density < kUnreached)) continue;
         Offer offer{};
         const bool straight = back % 2 == 0;
-        if (straight ? inside_edge(node, back, by, other, offer) : inside_edge(node, beside, other, by, offer))
-          cheaper = (in_cell(straight ? number + other - by : number + by - other) && take(number, offer)) || cheaper;
+        const double fourth = density(straight ? number + other - by : number + by - other);
+        if (!(fourth < kUnreached)) continue;
+        if (straight ? inside_edge(node, back, by, other, fourth, offer)
+                     : inside_edge(node, beside, other, by, fourth, offer))
+          cheaper = take(number, offer) || cheaper;
       }
-      const bool joined =
-          back % 2 == 0 || (in_cell(number + ring_[(back + 1) % 8]) && in_cell(number + ring_[(back + 7) % 8]));
-      const Offer direct{from.u + 0.5 * (double(from.density) + double(node.density)) * lengths_[back], moves_[back][0],
-                         moves_[back][1]};
+      const bool straight = back % 2 == 0;
+      const double others =
+          straight ? 0 : density(number + ring_[(back + 1) % 8]) + density(number + ring_[(back + 7) % 8]);
+      const bool joined = others < kUnreached;
+      const double mean = straight ? 0.5 * (double(from.density) + double(node.density))
+                                   : (double(from.density) + double(node.density)) / 3 + others / 6;
+      const Offer direct{from.u + mean * lengths_[back], moves_[back][0], moves_[back][1]};
       if ((joined && take(number, direct)) || cheaper) queue.push(node.u, number);
     }
   }

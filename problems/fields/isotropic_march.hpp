@@ -40,9 +40,9 @@ class IsotropicMarch {
  private:
   struct Node {
     double u;
-    float px, py;   ///< unit vector of arrival; the gradient once the node is final
-    float density;  ///< infinite: blocked, as the frame around the lattice is
-    float length;   ///< of the last move
+    float px, py;        ///< the last move; the gradient once the node is final
+    float density;       ///< infinite: blocked, as the frame around the lattice is
+    std::int32_t final;  ///< 1: so it is, or blocked
   };
   struct Offer {
     double u;
@@ -52,7 +52,8 @@ class IsotropicMarch {
   std::int32_t number(std::int32_t i, std::int32_t j) const { return (j + 1) * width_ + i + 1; }
   Eigen::Vector2d place(std::int32_t node) const;
   /// Over the edge between an axis neighbour and a diagonal one, both final; false: no least cost inside the edge.
-  bool inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far, Offer& offer) const;
+  bool inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far, double fourth,
+                   Offer& offer) const;
   bool take(std::int32_t node, const Offer& offer);
   void finish(std::int32_t node);
 
@@ -63,7 +64,6 @@ class IsotropicMarch {
   std::array<Eigen::Vector2d, 8> moves_{};  ///< the same in length units
   std::array<double, 8> lengths_{};
   std::vector<Node> nodes_;  ///< in a frame of one node
-  std::vector<unsigned char> final_;
   std::vector<std::int32_t> started_;
 };
 

@@ -201,11 +201,15 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
   const std::vector<double> densities = densities_in_space(problem, lattice);
   field.values = marched_in_space(problem, places, lattice, densities, monitor);
   check_left_in_space(problem, field);
-  field.without_cost = why_some_without_cost(problem, field.values, [&lattice](std::size_t node) -> Eigen::VectorXd {
+  const auto place_of = [&lattice](std::size_t node) -> Eigen::VectorXd {
     const auto number = static_cast<std::int32_t>(node);
     const std::int32_t row = number / lattice.count[0];
     return lattice.place(number % lattice.count[0], row % lattice.count[1], row / lattice.count[1]);
-  });
+  };
+  field.without_cost = why_some_without_cost(problem, field.values, place_of);
+  count_free_nodes(densities, place_of, field);
+  field.enclosed = is_enclosed<3>(field);
+  if (field.enclosed) check_cost_at(problem, places);
   if (options.estimate_error) {
     const std::vector<double> coarse = marched_in_space(problem, places, every_second_in_space(lattice),
                                                         every_second_in_space(densities, lattice), monitor);

@@ -30,6 +30,9 @@ struct SpaceField {
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< as CostField::mean_error
   std::size_t unresolved = 0;                                    ///< as CostField::unresolved
   std::string without_cost;                                      ///< as CostField::without_cost
+  std::size_t free_nodes = 0;                                    ///< as CostField::free_nodes
+  Eigen::Vector3d free_at = Eigen::Vector3d::Zero();             ///< as CostField::free_at
+  bool enclosed = false;                                         ///< as CostField::enclosed
 
   /// The coordinates of node (i, j, k).
   Eigen::Vector3d node(std::int32_t i, std::int32_t j, std::int32_t k) const {

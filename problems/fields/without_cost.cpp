@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include <leastcost/framework/base/errors.hpp>
 #include <leastcost/framework/cost/segment_cost.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include "framework/base/point_text.hpp"
@@ -19,12 +20,18 @@ std::string why_without_cost(const Problem& problem, const Eigen::VectorXd& u) {
     if (!why.empty()) return why;
   }
   if (find_ability<HasChart>(*problem.manifold) != nullptr) return "";
+  constexpr double kMove = 1e-6;  // of the coordinates: a cost that knows moves alone
   double some = 0;
   for (Eigen::Index k = 0; k < x.rows(); ++k)
     for (const double sign : {1.0, -1.0}) {
       some = cost.line_element(x.col(0), sign * Eigen::VectorXd::Unit(x.rows(), k));
       if (some >= 0 && std::isfinite(some)) return "";
     }
+  if (const auto* explains = find_ability<ExplainsInfinity>(cost)) {
+    const Eigen::VectorXd move = kMove * (1 + x.col(0).norm()) * Eigen::VectorXd::Unit(x.rows(), 0);
+    std::string why = explains->why_infinite(x.col(0) - move / 2, x.col(0) + move / 2);
+    if (!why.empty()) return why;
+  }
   return "at " + point_text(x.col(0)) + " the cost of a unit of length is " + short_number(some, 6);
 }
 
@@ -41,6 +48,13 @@ std::string why_some_without_cost(const Problem& problem, const std::vector<doub
     if (!why.empty()) return why;
   }
   return "";
+}
+
+void check_cost_at(const Problem& problem, const std::vector<Eigen::VectorXd>& places) {
+  for (const Eigen::VectorXd& place : places) {
+    const std::string why = why_without_cost(problem, place);
+    if (!why.empty()) throw InputError("field: no path leaves the place " + point_text(place) + ": " + why);
+  }
 }
 
 }  // namespace leastcost

@@ -22,4 +22,7 @@ std::string why_without_cost(const Problem& problem, const Eigen::VectorXd& u);
 std::string why_some_without_cost(const Problem& problem, const std::vector<double>& values,
                                   const std::function<Eigen::VectorXd(std::size_t)>& node);
 
+/// Throws InputError for a place that paths cannot leave because its cost is not positive or not finite; says both.
+void check_cost_at(const Problem& problem, const std::vector<Eigen::VectorXd>& places);
+
 }  // namespace leastcost

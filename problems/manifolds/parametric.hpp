@@ -165,6 +165,7 @@ class ParametricManifold : public ConstraintManifold,
                      std::span<IntervalJet<2>> jacobian) const override;
   int active_bounds(const CoordinatePath& path, Index column, Eigen::Ref<Points> normals) const override;
   const std::vector<Seam>& seams() const override { return seams_; }
+  Eigen::Matrix2d edges() const override { return (Eigen::Matrix2d() << box_.lower(), box_.upper()).finished(); }
   const std::vector<SeamMap>& poles() const override { return poles_; }
   std::vector<PointImage> images(const Eigen::VectorXd& x, const Eigen::VectorXd& reference,
                                  std::size_t most) const override;

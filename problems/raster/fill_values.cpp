@@ -17,9 +17,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kTooLarge = 1e30;  ///< for a height or a cost
 
 /// Of floats and of whole numbers with so many bits, and nines.
-constexpr std::array kUsual = {-999.0,       -9999.0,       -99999.0,     -999999.0, -32767.0, -32768.0,
-                               -2147483647., -2147483648.0, 9999.0,       99999.0,   999999.0, 32767.0,
-                               65535.0,      2147483647.0,  4294967295.0, 1e20,      -1e20};
+constexpr std::array kUsual = {-99.0,    -999.0,       -9999.0,       -99999.0,     -999999.0, -32767.0,
+                               -32768.0, -2147483647., -2147483648.0, 9999.0,       99999.0,   999999.0,
+                               32767.0,  65535.0,      2147483647.0,  4294967295.0, 1e20,      -1e20};
 
 /// Replaces the values that `is_fill` and says so; empty where fewer than two cells have one.
 template <class IsFill>
@@ -91,8 +91,9 @@ std::string take_fill_values(RasterGrid& raster) {
   for (int k = 0; k < kMostFills; ++k) {
     const RasterExtremes e = extremes_of(raster);
     const double fill = e.least;  // a cost of 9999 is a dear cell, a cost below 0 is none
-    if (!(fill < 0) || !is_usual_fill(fill) || !is_far_from_others(fill, e.second_least, e.greatest - e.second_least))
-      break;
+    // -99 is not far below heights up to 300; but where no other value is below 0, it is none either.
+    const bool far = is_far_from_others(fill, e.second_least, e.greatest - e.second_least) || e.second_least >= 0;
+    if (!(fill < 0) || !is_usual_fill(fill) || !far) break;
     if (!add(take(
             raster, [fill](double v) { return v == fill; }, "below")))
       break;

@@ -22,8 +22,8 @@ struct RasterExtremes {
 RasterExtremes extremes_of(const RasterGrid& raster);
 
 /// Replaces the usual fill values by NaN where nobody declared them: numbers below 0 or of 1e30 and more that fill two
-/// cells or more and are far from all others. Returns a note that says which and how to say otherwise; empty where
-/// there are none. Values as they are in the file.
+/// cells or more and are far from all others, or the only ones below 0. Returns a note that says which and how to say
+/// otherwise; empty where there are none. Values as they are in the file.
 std::string take_fill_values(RasterGrid& raster);
 
 }  // namespace leastcost

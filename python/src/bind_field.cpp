@@ -116,7 +116,7 @@ py::array values(const Field& made) {
         for (std::int32_t k = 0; k < space.count[2]; ++k) nodes(i, j, k) = space.value(i, j, k);
     return out;
   }
-  const CostField& lattice = field.lattice();
+  const CostField lattice = app::as_map(field);
   py::array_t<double> out({lattice.count[1], lattice.count[0]});
   auto rows = out.mutable_unchecked<2>();
   for (std::int32_t j = 0; j < lattice.count[1]; ++j)
@@ -138,7 +138,7 @@ std::optional<py::tuple> axes(const Field& made) {
     }
     return axes;
   }
-  const CostField& lattice = made.field.lattice();
+  const CostField lattice = app::as_map(made.field);
   Eigen::VectorXd x(lattice.count[0]), y(lattice.count[1]);
   for (std::int32_t i = 0; i < lattice.count[0]; ++i) x[i] = lattice.node(i, 0).x();
   for (std::int32_t j = 0; j < lattice.count[1]; ++j) y[j] = lattice.node(0, lattice.count[1] - 1 - j).y();

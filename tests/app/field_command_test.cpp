@@ -145,6 +145,36 @@ TEST_CASE("field command: costs that are not positive are named, and errors abov
              Contains("note: nodes without a cost are left out: at (") && Contains("is not positive: n = -"));
 }
 
+TEST_CASE("field command: costs of 0 and negative ones in every direction and places without a way out are told") {
+  const ScratchDir dir;
+  const std::string out = (dir / "f.csv").string();
+  const auto field = [&](const std::string& cost, std::vector<std::string> more = {}) {
+    const std::string config =
+        text_file(dir / "n.yaml", "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: {" + cost + "}\n");
+    std::vector<std::string> all = {"field", config, "-o", out, "--from", "1,1", "--resolution", "0.1"};
+    all.insert(all.end(), more.begin(), more.end());
+    return call(all);
+  };
+  const Called free = field("type: refractive_index, index: {type: formula, n: \"max(0, x - 2)\"}");
+  CHECK(free.exit == 0);
+  CHECK_THAT(free.out,
+             Contains("note: a unit of length costs 0 at ") && Contains(" of 861 nodes, the first is (0, 0)"));
+  const Called negative = field("type: formula, lagrangian: \"-sqrt(vx^2 + vy^2)\"", {"--to", "3,1"});
+  CHECK(negative.exit == 4);
+  CHECK_THAT(negative.err, Contains("no path leaves the place (1, 1)") && Contains("F = -1"));
+  std::string walls =
+      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: euclidean\nclearance: 0.01\nobstacles:\n";
+  for (const char* corners :
+       {"[0.7, 0.7], [1.3, 0.7], [1.3, 0.8], [0.7, 0.8]", "[0.7, 1.2], [1.3, 1.2], [1.3, 1.3], [0.7, 1.3]",
+        "[0.7, 0.7], [0.8, 0.7], [0.8, 1.3], [0.7, 1.3]", "[1.2, 0.7], [1.3, 0.7], [1.3, 1.3], [1.2, 1.3]"})
+    walls += std::string("  - {type: polygon, corners: [") + corners + "]}\n";
+  const std::string room = text_file(dir / "room.yaml", walls);
+  const Called enclosed = call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.05"});
+  CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place: obstacles"));
+  const Called strip = call({"field", room, "-o", (dir / "f.asc").string(), "--from", "3,1", "--resolution", "0.3"});
+  CHECK_THAT(strip.out, Contains("a strip at its upper edges has no nodes, 0.1 wide along x and 0.2 along y"));
+}
+
 TEST_CASE("field command: a fault is said of the place that has it, and columns have the names of coordinates") {
   const ScratchDir dir;
   const std::string config = text_file(dir / "box.yaml", kBox), out = (dir / "f.csv").string();
@@ -193,6 +223,8 @@ TEST_CASE("field and run: usual fill values and unlikely slopes of a terrain are
   CHECK(filled.err == "");
   CHECK_THAT(filled.out, Contains("note: the value -9999 was taken as \"no data\": 40 of 1600 cells have it"));
   CHECK_THAT(terrain(100, "500").out, Contains("note: ") && Contains("steeper than 60 degrees"));
+  // Not far below heights from 200 to 800, but the only value below 0.
+  CHECK_THAT(terrain(1, "-99").out, Contains("note: the value -99 was taken as \"no data\": 40 of 1600 cells"));
 }
 
 TEST_CASE("field command: what it refuses, in one sentence") {

@@ -61,9 +61,8 @@ TEST_CASE("field: domains without one name what there is instead") {
   const auto refused = [&](const std::string& name) {
     return call({"field", (project_dir() / "configs" / name).string(), "-o", (dir / "f.csv").string()}).err;
   };
-  CHECK_THAT(refused("earth.yaml"), Contains("leastcost run gives the least cost between two places"));
-  CHECK_THAT(refused("torus_parametric.yaml"),
-             Contains("that close on themselves have none") && Contains("on a mesh of the surface"));
+  CHECK(refused("earth.yaml").empty());  // charts that close on themselves have fields
+  CHECK(refused("torus_parametric.yaml").empty());
   CHECK_THAT(refused("implicit_torus.yaml"), Contains("leastcost run gives the least cost between two places"));
   CHECK_THAT(refused("se2_pose.yaml"), Contains("leastcost run gives the least cost between two places"));
 }
