@@ -140,6 +140,23 @@ void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, con
                 [&](const CoordinatePath& part, Index, Points& out) { chart.jacobians(part, out); });
 }
 
+void embed_with_jacobians(const HasChart& chart, const CoordinatePath& path, Points& x, Points& j,
+                          const Deadline& deadline) {
+  if (whole(path, deadline, kChartPart)) return chart.embed_with_jacobians(path, x, j);
+  Points part_x, part_j;
+  const Index columns = path.u.cols();
+  in_parts(columns, kChartPart, deadline, [&](Index begin, Index count) {
+    chart.embed_with_jacobians(part_of(path, begin, count), part_x, part_j);
+    const Index width = part_j.cols() / count;
+    if (begin == 0) {
+      x.resize(part_x.rows(), columns);
+      j.resize(part_j.rows(), width * columns);
+    }
+    x.middleCols(begin, count) = part_x;
+    j.middleCols(width * begin, width * count) = part_j;
+  });
+}
+
 void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,
                 const Deadline& deadline) {
   fill_in_parts(path, kChartPart, deadline, h, [&](const CoordinatePath& part, Index begin, Points& out) {
