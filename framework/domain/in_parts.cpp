@@ -13,7 +13,7 @@ namespace {
 
 /// A point of a cloud takes some 30 us, one of a chart less than 1.
 constexpr Index kColumnPart = 16, kChartPart = 512;
-constexpr Index kBoundPart = 4;  ///< one of a robot on its way between bounds, some 200 us
+constexpr Index kBoundPart = 2;  ///< one of a robot on its way between bounds, some 200 us
 
 /// What moves and projections ask for, where it takes longer than they do, and where there is a clock to look at.
 const MakesOnDemand* made_on_demand(const ConstraintManifold& manifold, const Deadline& deadline) {
