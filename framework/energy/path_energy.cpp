@@ -253,11 +253,16 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
   const bool in_coordinates = frames.identity && frames.lifted.size() == 0;
   const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
   // Among obstacles few points have a frame of their own.
-  std::vector<char> plain(static_cast<std::size_t>(n), in_coordinates ? 1 : 0);
-  if (!in_coordinates && d == k)
+  std::vector<char> plain;
+  if (!in_coordinates && d == k) {
+    plain.resize(static_cast<std::size_t>(n));
     with_frame_size(d, k, [&](auto size) {
       for (Index i = 0; i < n; ++i) plain[static_cast<std::size_t>(i)] = is_plain(bases, size, k, i) ? 1 : 0;
     });
+  }
+  const auto is_plain_at = [&](Index i) {
+    return in_coordinates || (!plain.empty() && plain[static_cast<std::size_t>(i)] != 0);
+  };
   in_parts(segments, kHessianPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->chain_blocks(x.part(begin, count), *problem_->kernel, s0_, kind, blocks_);
     with_frame_size(d, k, [&](auto size) {
@@ -266,7 +271,7 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
         const Index stride = blocks_.blocks.rows();
         const Eigen::Map<const Square, 0, Eigen::OuterStride<>> h(blocks_.blocks.data() + stride * column + row, d, d,
                                                                   Eigen::OuterStride<>(stride));
-        if (plain[static_cast<std::size_t>(i)] != 0 && plain[static_cast<std::size_t>(j)] != 0)
+        if (is_plain_at(i) && is_plain_at(j))
           add_plain(size, h, out);
         else
           add_in_frames(bases, size, k, i, j, h, out);
