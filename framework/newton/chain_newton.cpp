@@ -82,8 +82,12 @@ class NewtonSolve {
     return model_.cost_error <= kRoom * rounding * rounding;
   }
 
-  /// Where walls leave a point hardly any room, every step may be cut short for as long as steps last.
-  bool stalls() { return bounded_.possible() && idle_steps() >= kMostStalled; }
+  /// Where walls leave a point hardly any room, every step may be cut short for as long as steps last. Only if a solve
+  /// is to be less exact than by default, as in replans: others may come free after more of them, and be certified.
+  bool stalls() {
+    if (!bounded_.possible() || !(loop_.limits().tolerance > kChainNewtonLimits.tolerance)) return false;
+    return idle_steps() >= kMostStalled;
+  }
 
   /// Steps in a row that have not halved the least error so far; asked once per step.
   int idle_steps() {

@@ -266,25 +266,29 @@ TEST_CASE("bounded steps: many small steps do not make the radius longer than a 
   CHECK(step.part_within(1e6 * Points::Ones(2, 1)) * 1e6 < 16.1 * length / (kColumns - 1));
 }
 
-TEST_CASE("bounded steps: a solve ends where a point without room has cut 30 steps short") {
+TEST_CASE("bounded steps: a solve to a loose tolerance ends where a point without room has cut 30 steps short") {
   constexpr Index kMiddle = kColumns / 2;
   constexpr double kHeight = 0.5;
   CoordinatePath tent{Points(2, kColumns), {}, false};
   for (Index i = 0; i < kColumns; ++i)
     tent.u.col(i) << static_cast<double>(i),
         kHeight * (1 - std::abs(static_cast<double>(i - kMiddle)) / static_cast<double>(kMiddle));
-  const auto solved = [&](double longest) {
+  const auto solved = [&](double longest, double tolerance) {
     const Problem problem = among(std::make_shared<Pinched>(kMiddle, longest));
     PathEnergy energy(problem, 1);
     CoordinatePath path = tent;
-    return solve_by_newton(energy, path, kChainNewtonLimits, {});
+    Limits limits = kChainNewtonLimits;
+    limits.tolerance = tolerance;
+    return solve_by_newton(energy, path, limits, {});
   };
-  const SolveReport free = solved(1), pinched = solved(kHeight / 128);
+  constexpr double kLoose = 1e-8;
+  const SolveReport free = solved(1, kLoose), pinched = solved(kHeight / 128, kLoose);
   CHECK(free.termination == Termination::converged);
   CHECK(free.iterations < 5);
   CHECK(pinched.termination == Termination::line_search_failed);
   CHECK(pinched.iterations >= 30);
   CHECK(pinched.iterations < 40);
+  CHECK(solved(kHeight / 128, kChainNewtonLimits.tolerance).termination == Termination::converged);
 }
 
 }  // namespace leastcost::test
