@@ -30,14 +30,15 @@ namespace detail {
 /// h <- scale h + factor g g' over the stacked gradient g = (g.a; g.b).
 template <int D>
 void scale_and_add_outer(double scale, double factor, const SegmentGradient<D>& g, Eigen::Ref<Points> h) {
-  const Index d = g.a.size();
+  const Index d = D == Eigen::Dynamic ? g.a.size() : D, stride = h.outerStride();
   const auto add = [&](const Point<double, D>& rows, double slope, double* out) {
     for (Index i = 0; i < d; ++i) out[i] = scale * out[i] + factor * rows[i] * slope;
   };
-  for (Index j = 0; j < 2 * d; ++j) {
+  double* column = h.data();
+  for (Index j = 0; j < 2 * d; ++j, column += stride) {
     const double slope = j < d ? g.a[j] : g.b[j - d];
-    add(g.a, slope, h.col(j).data());
-    add(g.b, slope, h.col(j).data() + d);
+    add(g.a, slope, column);
+    add(g.b, slope, column + d);
   }
 }
 
@@ -186,10 +187,16 @@ class SegmentFunctionOf final : public SegmentFunction<C::dim> {
   const C& c_;
 };
 
+/// Column number i of a path, whose size the compiler knows where the cost says it.
+template <int D>
+auto column_of(const AmbientPath& path, Index i) {
+  return Eigen::Map<const Eigen::Matrix<double, D, 1>>(path.x.data() + path.x.rows() * i, path.x.rows());
+}
+
 /// Segment number i. The ends of an open path are constants; a ring has none.
 template <int D>
 SegmentEnds<D> segment_ends(const AmbientPath& path, Index i) {
-  return {path.x.col(i), path.x.col(i + 1), path.begin_fixed() && i == 0,
+  return {column_of<D>(path, i), column_of<D>(path, i + 1), path.begin_fixed() && i == 0,
           path.end_fixed() && i + 1 == path.segment_count()};
 }
 

@@ -36,7 +36,8 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
 
   void squared_costs(const AmbientPath& path, std::span<double> q) const override {
     for (Index i = 0; i < path.segment_count(); ++i)
-      q[static_cast<std::size_t>(i)] = squared_cost<C>(function_, path.x.col(i), path.x.col(i + 1));
+      q[static_cast<std::size_t>(i)] =
+          squared_cost<C>(function_, column_of<kDim>(path, i), column_of<kDim>(path, i + 1));
   }
 
   double energy_and_gradient(const AmbientPath& path, const Kernel& kernel, double s0,
@@ -54,10 +55,15 @@ class SegmentCostOf : public Base, public ExplainsInfinity {
         q[j] = scale * squared_cost_gradient(function_, segment_ends<kDim>(path, begin + j), g[j]);
       }
       kernel.apply({q.data(), static_cast<std::size_t>(count)}, {phi.data(), static_cast<std::size_t>(count)});
+      const Index d = path.x.rows(), stride = gradient.outerStride();
       for (Index j = 0; j < count; ++j) {
         energy += phi[j].value;
-        gradient.col(begin + j) += scale * phi[j].d1 * g[j].a;
-        gradient.col(begin + j + 1) += scale * phi[j].d1 * g[j].b;
+        const double slope = scale * phi[j].d1;
+        double* const at = gradient.data() + stride * (begin + j);
+        for (Index k = 0; k < d; ++k) {
+          at[k] += slope * g[j].a[k];
+          at[stride + k] += slope * g[j].b[k];
+        }
       }
     }
     return std::isnan(energy) ? std::numeric_limits<double>::infinity() : energy;

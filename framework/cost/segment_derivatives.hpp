@@ -28,7 +28,8 @@ using Point = Eigen::Matrix<S, D, 1, 0, D == Eigen::Dynamic ? kMaxDimension : D,
 ///     };
 ///
 /// Optional, each replacing what dual numbers would do: `residual(a, b)`, a vector r with |r|^2 = q (its Jacobian gives
-/// the Gauss-Newton Hessian); `gradient(a, b, ga, gb)` returning q; `hessian(a, b, H)`; `line_element(x, v)`.
+/// the Gauss-Newton Hessian); `gradient(a, b, ga, gb)` returning q; `hessian(a, b, H)`, or `derivatives(a, b, ga, gb,
+/// H)` returning q where both come cheaper together (H is zero before); `line_element(x, v)`.
 template <class C>
 concept SegmentCostFunction = requires(const C c, const Point<double, C::dim> p) {
   { c.traits() } -> std::convertible_to<CostTraits>;
@@ -134,42 +135,61 @@ double hessian_nested(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<
   return q.value.value;
 }
 
+/// q and its gradient by dual numbers. g has the size of the ends.
+template <class C>
+double gradient_by_duals(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g) {
+  constexpr int D = C::dim;
+  if constexpr (D != Eigen::Dynamic) {
+    using S = Dual<double, 2 * D>;
+    Point<S, D> a, b;
+    seed<S, D>(e.a, e.a_fixed, 0, a);
+    seed<S, D>(e.b, e.b_fixed, D, b);
+    const S value = c.template value<S>(a, b);
+    for (int k = 0; k < D; ++k) {
+      g.a[k] = value.d[static_cast<std::size_t>(k)];
+      g.b[k] = value.d[static_cast<std::size_t>(D + k)];
+    }
+    return value.value;
+  } else {
+    using S = Dual1;
+    Point<S, D> a = constants<S, D>(e.a), b = constants<S, D>(e.b);
+    const double q = c.template value<double>(e.a, e.b);
+    for (Index k = 0; k < 2 * e.a.size(); ++k) {
+      double& out = k < e.a.size() ? g.a[k] : g.b[k - e.a.size()];
+      out = 0;
+      if (is_fixed(e, k)) continue;
+      S& x = variable<S, D>(a, b, k);
+      x.d[0] = 1;
+      out = c.template value<S>(a, b).d[0];
+      x.d[0] = 0;
+    }
+    return q;
+  }
+}
+
+/// h = 0. Where its size is known and it lies in one piece, as in a chain, by a loop without calls.
+template <int D>
+void clear_block(Eigen::Ref<Points> h) {
+  if (D != Eigen::Dynamic && h.outerStride() == 2 * D) {
+    double* const all = h.data();
+    for (int k = 0; k < 4 * D * D; ++k) all[k] = 0;
+  } else {
+    h.setZero();
+  }
+}
+
 }  // namespace detail
 
 /// q and its gradient.
 template <class C>
 double squared_cost_gradient(const C& c, const SegmentEnds<C::dim>& e, SegmentGradient<C::dim>& g) {
-  constexpr int D = C::dim;
   g.a.resize(e.a.size());
   g.b.resize(e.b.size());
   double q = 0;
-  if constexpr (requires { c.gradient(e.a, e.b, g.a, g.b); }) {
+  if constexpr (requires { c.gradient(e.a, e.b, g.a, g.b); })
     q = c.gradient(e.a, e.b, g.a, g.b);
-  } else if constexpr (D != Eigen::Dynamic) {
-    using S = Dual<double, 2 * D>;
-    Point<S, D> a, b;
-    detail::seed<S, D>(e.a, e.a_fixed, 0, a);
-    detail::seed<S, D>(e.b, e.b_fixed, D, b);
-    const S value = c.template value<S>(a, b);
-    q = value.value;
-    for (int k = 0; k < D; ++k) {
-      g.a[k] = value.d[static_cast<std::size_t>(k)];
-      g.b[k] = value.d[static_cast<std::size_t>(D + k)];
-    }
-  } else {
-    using S = detail::Dual1;
-    Point<S, D> a = detail::constants<S, D>(e.a), b = detail::constants<S, D>(e.b);
-    q = c.template value<double>(e.a, e.b);
-    for (Index k = 0; k < 2 * e.a.size(); ++k) {
-      double& out = k < e.a.size() ? g.a[k] : g.b[k - e.a.size()];
-      out = 0;
-      if (detail::is_fixed(e, k)) continue;
-      S& x = detail::variable<S, D>(a, b, k);
-      x.d[0] = 1;
-      out = c.template value<S>(a, b).d[0];
-      x.d[0] = 0;
-    }
-  }
+  else
+    q = detail::gradient_by_duals(c, e, g);
   if (e.a_fixed) g.a.setZero();
   if (e.b_fixed) g.b.setZero();
   return q >= 0 ? q : std::numeric_limits<double>::infinity();
@@ -183,17 +203,20 @@ double squared_cost_derivatives(const C& c, const SegmentEnds<C::dim>& e, Segmen
   const Index d = e.a.size();
   constexpr bool has_gradient = requires { c.gradient(e.a, e.b, g.a, g.b); }
   , has_hessian = requires { c.hessian(e.a, e.b, h); };
+  constexpr bool has_both = requires { c.derivatives(e.a, e.b, g.a, g.b, h); };
   g.a.setZero(d);
   g.b.setZero(d);
-  h.setZero();
+  detail::clear_block<C::dim>(h);
   double q = 0;
-  if constexpr (has_hessian)
+  if constexpr (has_both)
+    q = c.derivatives(e.a, e.b, g.a, g.b, h);
+  else if constexpr (has_hessian)
     c.hessian(e.a, e.b, h);
   else if constexpr (C::dim == Eigen::Dynamic)
     q = detail::hessian_by_pairs(c, e, g, h);
   else
     q = detail::hessian_nested(c, e, g, h);
-  if constexpr (has_gradient || has_hessian) q = squared_cost_gradient(c, e, g);
+  if constexpr (!has_both && (has_gradient || has_hessian)) q = squared_cost_gradient(c, e, g);
   if (e.a_fixed) g.a.setZero(), h.topRows(d).setZero(), h.leftCols(d).setZero();
   if (e.b_fixed) g.b.setZero(), h.bottomRows(d).setZero(), h.rightCols(d).setZero();
   return q >= 0 ? q : std::numeric_limits<double>::infinity();

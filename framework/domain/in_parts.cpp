@@ -13,7 +13,7 @@ namespace {
 
 /// A point of a cloud takes some 30 us, one of a chart less than 1.
 constexpr Index kColumnPart = 16, kChartPart = 512;
-constexpr Index kBoundPart = 4;  ///< one of a robot on its way between bounds, some 200 us
+constexpr Index kBoundPart = 2;  ///< one of a robot on its way between bounds, some 200 us
 
 /// What moves and projections ask for, where it takes longer than they do, and where there is a clock to look at.
 const MakesOnDemand* made_on_demand(const ConstraintManifold& manifold, const Deadline& deadline) {
@@ -138,6 +138,23 @@ void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const D
 void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, const Deadline& deadline) {
   fill_in_parts(path, kChartPart, deadline, j,
                 [&](const CoordinatePath& part, Index, Points& out) { chart.jacobians(part, out); });
+}
+
+void embed_with_jacobians(const HasChart& chart, const CoordinatePath& path, Points& x, Points& j,
+                          const Deadline& deadline) {
+  if (whole(path, deadline, kChartPart)) return chart.embed_with_jacobians(path, x, j);
+  Points part_x, part_j;
+  const Index columns = path.u.cols();
+  in_parts(columns, kChartPart, deadline, [&](Index begin, Index count) {
+    chart.embed_with_jacobians(part_of(path, begin, count), part_x, part_j);
+    const Index width = part_j.cols() / count;
+    if (begin == 0) {
+      x.resize(part_x.rows(), columns);
+      j.resize(part_j.rows(), width * columns);
+    }
+    x.middleCols(begin, count) = part_x;
+    j.middleCols(width * begin, width * count) = part_j;
+  });
 }
 
 void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,

@@ -32,6 +32,8 @@ void retract_onto(const SeesBounds& domain, const CoordinatePath& from, const Po
                   const BoundsOfPoints& bounds, CoordinatePath& to, const Deadline& deadline);
 void embed(const HasChart& chart, const CoordinatePath& path, Points& x, const Deadline& deadline);
 void jacobians(const HasChart& chart, const CoordinatePath& path, Points& j, const Deadline& deadline);
+void embed_with_jacobians(const HasChart& chart, const CoordinatePath& path, Points& x, Points& j,
+                          const Deadline& deadline);
 void curvatures(const HasChart& chart, const CoordinatePath& path, const Points& weights, Points& h,
                 const Deadline& deadline);
 

@@ -61,6 +61,11 @@ class HasChart {
   virtual void embed(const CoordinatePath& path, Points& x) const = 0;
   /// dx/du at all columns, side by side: ambient x (coordinate * columns).
   virtual void jacobians(const CoordinatePath& path, Points& j) const = 0;
+  /// Both of these, for charts that make them together at less than the price of both.
+  virtual void embed_with_jacobians(const CoordinatePath& path, Points& x, Points& j) const {
+    embed(path, x);
+    jacobians(path, j);
+  }
   /// sum_j w_j Hess x_j(u) at all columns, w the columns of `weights` (ambient x columns), side by side: coordinate x
   /// (coordinate * columns).
   virtual void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const = 0;

@@ -44,6 +44,21 @@ bool is_plain(const Points& bases, Size size, int k, Index i) {
   return matrix_at(bases, size, k, i).isIdentity(0);
 }
 
+/// A square matrix with as many rows as the frames have.
+template <class Size>
+auto square_of(const Points& m, Size) {
+  return Eigen::Map<const Eigen::Matrix<double, Size::kRows, Size::kRows>>(m.data(), m.rows(), m.rows());
+}
+
+/// `m` added to a block of a chain, where frames are those of the coordinates.
+template <class Size, class Derived>
+void add_plain(Size, const Eigen::MatrixBase<Derived>& m, Eigen::Block<Points> out) {
+  using Square = Eigen::Matrix<double, Size::kColumns, Size::kColumns>;
+  if constexpr (Size::kRows == Size::kColumns)
+    Eigen::Map<Square, 0, Eigen::OuterStride<>>(out.data(), out.rows(), out.cols(),
+                                                Eigen::OuterStride<>(out.outerStride())) += m;
+}
+
 /// T' M S added to `out`, for the frames T and S of points i and j; `m`: in the coordinates of the frames' rows.
 template <class Size, class Derived>
 void add_in_frames(const Points& bases, Size size, int k, Index i, Index j, const Eigen::MatrixBase<Derived>& m,

@@ -53,7 +53,12 @@ AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
   if (!chart_ && !path.ring) return {{path.u.data(), path.u.rows(), path.u.cols()}, path.sites, false};
   Evaluated& here = evaluated(path);
   if (!here.ambient) {
-    if (chart_) embed(*chart_, path, embedded_, deadline_);
+    if (chart_ && wants_slopes_ && !here.jacobians) {
+      embed_with_jacobians(*chart_, path, embedded_, jacobians_, deadline_);
+      here.jacobians = true;
+    } else if (chart_) {
+      embed(*chart_, path, embedded_, deadline_);
+    }
     const Points& x = chart_ ? embedded_ : path.u;
     if (path.ring) {
       ambient_.resize(x.rows(), x.cols() + 1);
@@ -69,7 +74,11 @@ AmbientPath PathEnergy::ambient(const CoordinatePath& path) {
 
 const Points& PathEnergy::chart_jacobians(const CoordinatePath& path) {
   Evaluated& here = evaluated(path);
-  if (!here.jacobians) jacobians(*chart_, path, jacobians_, deadline_);
+  wants_slopes_ = true;
+  if (!here.jacobians && !here.ambient)
+    ambient(path);
+  else if (!here.jacobians)
+    jacobians(*chart_, path, jacobians_, deadline_);
   here.jacobians = true;
   return jacobians_;
 }
@@ -244,18 +253,26 @@ void PathEnergy::chain_hessian(const CoordinatePath& path, const Points& gradien
   const bool in_coordinates = frames.identity && frames.lifted.size() == 0;
   const Points& bases = frames.lifted.size() > 0 ? frames.lifted : frames.bases;
   // Among obstacles few points have a frame of their own.
-  std::vector<char> plain(static_cast<std::size_t>(n), in_coordinates ? 1 : 0);
-  if (!in_coordinates && d == k)
+  std::vector<char> plain;
+  if (!in_coordinates && d == k) {
+    plain.resize(static_cast<std::size_t>(n));
     with_frame_size(d, k, [&](auto size) {
       for (Index i = 0; i < n; ++i) plain[static_cast<std::size_t>(i)] = is_plain(bases, size, k, i) ? 1 : 0;
     });
+  }
+  const auto is_plain_at = [&](Index i) {
+    return in_coordinates || (!plain.empty() && plain[static_cast<std::size_t>(i)] != 0);
+  };
   in_parts(segments, kHessianPart, deadline_, [&](Index begin, Index count) {
     problem_->cost->chain_blocks(x.part(begin, count), *problem_->kernel, s0_, kind, blocks_);
     with_frame_size(d, k, [&](auto size) {
       const auto add = [&](Index i, Index j, Index row, Index column, Eigen::Block<Points> out) {
-        const auto h = blocks_.blocks.block<size.kRows, size.kRows>(row, column, d, d);
-        if (plain[static_cast<std::size_t>(i)] != 0 && plain[static_cast<std::size_t>(j)] != 0)
-          out += h;
+        using Square = Eigen::Matrix<double, size.kRows, size.kRows>;
+        const Index stride = blocks_.blocks.rows();
+        const Eigen::Map<const Square, 0, Eigen::OuterStride<>> h(blocks_.blocks.data() + stride * column + row, d, d,
+                                                                  Eigen::OuterStride<>(stride));
+        if (is_plain_at(i) && is_plain_at(j))
+          add_plain(size, h, out);
         else
           add_in_frames(bases, size, k, i, j, h, out);
       };
@@ -286,12 +303,15 @@ void PathEnergy::add_curvature(const CoordinatePath& path, const Points& gradien
   const Index n = path.free_count(), first = path.free_begin();
   if (const auto* known = find_ability<HasCurvature>(*problem_->manifold)) {
     Points bend;
-    for (Index i = 0; i < n; ++i) {
-      if (i % kHessianPart == 0) look_at_clock(deadline_);
-      if (!known->bend(path, first + i, gradient.col(i), bend)) continue;
-      const auto basis = frames.bases.middleCols(k * i, k);
-      system.diagonal(i).noalias() += basis.transpose() * bend.lazyProduct(basis);
-    }
+    Eigen::VectorXd slope;
+    with_frame_size(dims_.coordinate, k, [&](auto size) {
+      for (Index i = 0; i < n; ++i) {
+        if (i % kHessianPart == 0) look_at_clock(deadline_);
+        slope = gradient.col(i);
+        if (!known->bend(path, first + i, slope, bend)) continue;
+        add_in_frames(frames.bases, size, k, i, i, square_of(bend, size), system.diagonal(i));
+      }
+    });
     return;
   }
   const double extent = extent_of(path.u);
@@ -335,7 +355,10 @@ void PathEnergy::add_chart_curvature(const CoordinatePath& path, const Frames& f
   curvatures(*chart_, path, ambient_gradient_, step_, deadline_);
   for (Index i = 0; i < n; ++i) {
     const auto h = step_.middleCols(d * (first + i), d);
-    if (frames.identity) {
+    if (frames.identity && d == 2) {
+      double* const out = system.diagonal(i).data();
+      for (int e = 0; e < 4; ++e) out[e] += step_.data()[4 * (first + i) + e];
+    } else if (frames.identity) {
       system.diagonal(i) += h;
     } else {
       const auto basis = frames.bases.middleCols(d * i, d);

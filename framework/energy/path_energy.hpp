@@ -115,6 +115,7 @@ class PathEnergy {
   Dimensions dims_;
   Counters counters_;
   Evaluated evaluated_;
+  bool wants_slopes_ = false;  ///< of a chart: somebody has asked for a gradient, and will again
   Points ambient_, ambient_gradient_, part_gradient_, step_, embedded_, jacobians_;
   std::vector<Site> ring_sites_;
   std::vector<double> q_, scaled_;

@@ -21,6 +21,7 @@ constexpr double kAbsurd = 100;           ///< times as much energy as before: a
 constexpr double kCrawl = 0.01;           ///< of the predicted gain: less, among bounds, leads nowhere
 constexpr int kMostCrawls = 5;            ///< in a row
 constexpr int kMostIdle = 8;              ///< steps in a row that do not halve the least error on the cost
+constexpr int kMostStalled = 30;          ///< the same among bounds, where steps that are cut short may come free again
 constexpr double kStepOfTolerance = 0.1;  ///< of the root of the tolerance: cost is of second order in steps
 
 class NewtonSolve {
@@ -39,6 +40,7 @@ class NewtonSolve {
     for (;;) {
       loop_.record(model_.value, model_.cost_error, largest_move_);
       if (stationary()) return stationary_report();
+      if (stalls()) return stuck_report();
       if (jitters()) return loop_.finish(Termination::round_off, "no decrease above rounding", model_.value);
       if (const std::optional<Termination> end = loop_.must_end(path_)) return loop_.finish(*end, "", model_.value);
       const double before = model_.value;
@@ -74,13 +76,24 @@ class NewtonSolve {
   /// The rounding of positions that a chart computes keeps the error from falling further.
   bool jitters() {
     constexpr double kRoom = 16;
-    if (kinked_ || bounded_.possible()) return false;
-    idle_ = model_.cost_error < least_error_ / 2 ? 0 : idle_ + 1;
-    least_error_ = std::min(least_error_, model_.cost_error);
-    if (idle_ < kMostIdle) return false;
+    if (kinked_ || bounded_.possible() || idle_steps() < kMostIdle) return false;
     idle_ = 0;
     const double rounding = place_rounding(energy_.problem(), path_);
     return model_.cost_error <= kRoom * rounding * rounding;
+  }
+
+  /// Where walls leave a point hardly any room, every step may be cut short for as long as steps last. Only if a solve
+  /// is to be less exact than by default, as in replans: others may come free after more of them, and be certified.
+  bool stalls() {
+    if (!bounded_.possible() || !(loop_.limits().tolerance > kChainNewtonLimits.tolerance)) return false;
+    return idle_steps() >= kMostStalled;
+  }
+
+  /// Steps in a row that have not halved the least error so far; asked once per step.
+  int idle_steps() {
+    idle_ = model_.cost_error < least_error_ / 2 ? 0 : idle_ + 1;
+    least_error_ = std::min(least_error_, model_.cost_error);
+    return idle_;
   }
 
   double extent() const { return extent_of(path_.u); }

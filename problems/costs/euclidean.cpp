@@ -27,10 +27,11 @@ struct Euclidean {
     return (b - a).squaredNorm();
   }
   void hessian(const Point<double, D>& a, const Point<double, D>&, Eigen::Ref<Points> h) const {
-    const Index d = a.size();
-    h.diagonal().setConstant(2);
-    h.topRightCorner(d, d).diagonal().setConstant(-2);
-    h.bottomLeftCorner(d, d).diagonal().setConstant(-2);
+    const Index d = D == Eigen::Dynamic ? a.size() : D;
+    for (Index k = 0; k < d; ++k) {
+      h(k, k) = h(d + k, d + k) = 2;
+      h(k, d + k) = h(d + k, k) = -2;
+    }
   }
   double line_element(const Eigen::VectorXd&, const Eigen::VectorXd& v) const { return v.norm(); }
 };

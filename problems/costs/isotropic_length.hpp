@@ -49,37 +49,38 @@ struct IsotropicLength {
   /// q = g(m) |u|^2 with g = n^2 and u = b - a: n is differentiated in m alone, half as many directions as both ends
   /// have.
   double gradient(const Point<double, D>& a, const Point<double, D>& b, Point<double, D>& ga,
-                  Point<double, D>& gb) const requires(D != Eigen::Dynamic) {
+                  Point<double, D>& gb) const {
     const double q = value<double>(a, b);
-    if (!std::isfinite(q)) return q;
+    if (!std::isfinite(q)) return ga.setZero(), gb.setZero(), q;
     const Point<double, D> u = b - a;
-    const auto g = squared_index<Dual<double, D>>(Point<double, D>(0.5 * (a + b)));
-    for (int i = 0; i < D; ++i) {
-      const double in_u = 2 * g.value * u[i], in_m = 0.5 * u.squaredNorm() * g.d[static_cast<std::size_t>(i)];
-      ga[i] = in_m - in_u;
-      gb[i] = in_m + in_u;
-    }
+    double g = 0;
+    Point<double, D> slope(a.size());
+    squared_index(0.5 * (a + b), g, slope);
+    set_slopes(g, slope, u, ga, gb);
     return q;
   }
-  void hessian(const Point<double, D>& a, const Point<double, D>& b, Eigen::Ref<Points> h) const
-      requires(D != Eigen::Dynamic) {
-    using Square = Eigen::Matrix<double, D, D>;
+  double derivatives(const Point<double, D>& a, const Point<double, D>& b, Point<double, D>& ga, Point<double, D>& gb,
+                     Eigen::Ref<Points> h) const {
+    const double q = value<double>(a, b);
+    if (!std::isfinite(q)) return q;
+    const Index d = D == Eigen::Dynamic ? a.size() : D;
     const Point<double, D> u = b - a;
-    const auto g = squared_index<Dual<Dual<double, D>, D>>(Point<double, D>(0.5 * (a + b)));
-    const double length2 = u.squaredNorm();
-    Square mixed, in_m;  // second derivatives of q; mixed: rows u, columns m
-    for (int i = 0; i < D; ++i)
-      for (int k = 0; k < D; ++k) {
-        const auto row = static_cast<std::size_t>(i), column = static_cast<std::size_t>(k);
-        mixed(i, k) = 2 * u[i] * g.d[column].value;
-        in_m(i, k) = 0.25 * length2 * g.d[row].d[column];
+    double g = 0;
+    Point<double, D> slope(d);
+    Square bend(d, d);
+    squared_index(0.5 * (a + b), g, slope, bend);
+    set_slopes(g, slope, u, ga, gb);
+    const double quarter = 0.25 * u.squaredNorm();
+    // Second derivatives of q by u alone, by u and m, and by m alone.
+    for (Index k = 0; k < d; ++k)
+      for (Index i = 0; i < d; ++i) {
+        const double in_u = i == k ? 2 * g : 0, in_m = quarter * bend(i, k);
+        const double both = u[i] * slope[k] + u[k] * slope[i], across = u[k] * slope[i] - u[i] * slope[k];
+        h(i, k) = in_u - both + in_m;
+        h(d + i, d + k) = in_u + both + in_m;
+        h(i, d + k) = h(d + k, i) = across - in_u + in_m;
       }
-    const Square in_u = 2 * g.value.value * Square::Identity();
-    const Square both = 0.5 * (mixed + mixed.transpose()), across = 0.5 * (mixed.transpose() - mixed);
-    h.topLeftCorner(D, D) = in_u - both + in_m;
-    h.bottomRightCorner(D, D) = in_u + both + in_m;
-    h.topRightCorner(D, D) = across - in_u + in_m;
-    h.bottomLeftCorner(D, D) = h.topRightCorner(D, D).transpose();
+    return q;
   }
 
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
@@ -110,16 +111,78 @@ struct IsotropicLength {
     for (Eigen::Index i = 0; i < x.size(); ++i) p[i] = innermost(x[i]);
     return p;
   }
-  /// n^2 at a place, with its derivatives.
-  template <class S>
-  S squared_index(const Point<double, D>& place) const {
-    Point<S, D> x;
-    for (int i = 0; i < D; ++i) {
-      const auto k = static_cast<std::size_t>(i);
-      x[i] = S(place[i]);
-      x[i].d[k] = 1.0;
-      if constexpr (!std::is_same_v<S, Dual<double, D>>) x[i].value.d[k] = 1;
+  using Square =
+      Eigen::Matrix<double, D, D, 0, D == Eigen::Dynamic ? kMaxDimension : D, D == Eigen::Dynamic ? kMaxDimension : D>;
+
+  static void set_slopes(double g, const Point<double, D>& slope, const Point<double, D>& u, Point<double, D>& ga,
+                         Point<double, D>& gb) {
+    const double half = 0.5 * u.squaredNorm();
+    for (Index i = 0; i < u.size(); ++i) {
+      const double in_u = 2 * g * u[i], in_m = half * slope[i];
+      ga[i] = in_m - in_u;
+      gb[i] = in_m + in_u;
     }
+  }
+
+  /// g = n^2 at a place and its slope.
+  void squared_index(const Point<double, D>& place, double& g, Point<double, D>& slope) const {
+    if constexpr (D != Eigen::Dynamic) {
+      Point<Dual<double, D>, D> x;
+      for (int i = 0; i < D; ++i) {
+        x[i] = Dual<double, D>(place[i]);
+        x[i].d[static_cast<std::size_t>(i)] = 1;
+      }
+      const Dual<double, D> jet = square_of(x);
+      g = jet.value;
+      for (int i = 0; i < D; ++i) slope[i] = jet.d[static_cast<std::size_t>(i)];
+    } else {
+      Point<detail::Dual1, D> x = detail::constants<detail::Dual1, D>(place);
+      for (Index i = 0; i < x.size(); ++i) {
+        x[i].d[0] = 1;
+        const detail::Dual1 jet = square_of(x);
+        g = jet.value;
+        slope[i] = jet.d[0];
+        x[i].d[0] = 0;
+      }
+    }
+  }
+
+  /// g = n^2 at a place, its slope and its second derivatives.
+  void squared_index(const Point<double, D>& place, double& g, Point<double, D>& slope, Square& bend) const {
+    if constexpr (D != Eigen::Dynamic) {
+      using S = Dual<Dual<double, D>, D>;
+      Point<S, D> x;
+      for (int i = 0; i < D; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        x[i] = S(place[i]);
+        x[i].value.d[k] = 1;
+        x[i].d[k] = 1.0;
+      }
+      const S jet = square_of(x);
+      g = jet.value.value;
+      for (int i = 0; i < D; ++i) {
+        slope[i] = jet.d[static_cast<std::size_t>(i)].value;
+        for (int k = 0; k < D; ++k) bend(i, k) = jet.d[static_cast<std::size_t>(i)].d[static_cast<std::size_t>(k)];
+      }
+    } else {
+      Point<detail::Dual11, D> x = detail::constants<detail::Dual11, D>(place);
+      for (Index i = 0; i < x.size(); ++i) {
+        x[i].d[0].value = 1;
+        for (Index k = 0; k <= i; ++k) {
+          x[k].value.d[0] = 1;
+          const detail::Dual11 jet = square_of(x);
+          g = jet.value.value;
+          slope[i] = jet.d[0].value;
+          bend(i, k) = bend(k, i) = jet.d[0].d[0];
+          x[k].value.d[0] = 0;
+        }
+        x[i].d[0].value = 0;
+      }
+    }
+  }
+
+  template <class S>
+  S square_of(const Point<S, D>& x) const {
     const S factor = n(numbers_of<S, D>(x));
     return factor * factor;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -107,16 +108,7 @@ struct MetricField {
     const Point<S, dim> middle = 0.5 * (a + b);
     Tensor<S, dim> t = field(is_average ? a : middle);
     if (is_average) t = Tensor<S, dim>(0.5 * (t + field(b)));  // b last: it is the a of the next segment
-    if (inside(a) && inside(middle) && inside(b)) {
-      if (is_root) return t * d;
-      if (root<S, dim>(t)) {
-        for (int i = 0; i < dim; ++i) {
-          d[i] *= t(i, i);
-          for (int j = i + 1; j < dim; ++j) d[i] += t(i, j) * d[j];
-        }
-        return d;
-      }
-    }
+    if (inside(a) && inside(middle) && inside(b) && apply_root<S>(t, d)) return d;
     return Point<S, dim>::Constant(S(std::numeric_limits<double>::infinity()));
   }
 
@@ -143,16 +135,40 @@ struct MetricField {
   }
 
   /// q = u' M(m) u with u = b - a and the middle m: the field is differentiated in m alone, half as many directions as
-  /// both ends have.
-  void hessian(const Point<double, dim>& a, const Point<double, dim>& b, Eigen::Ref<Points> h) const {
+  /// both ends have, and not its root.
+  double gradient(const Point<double, dim>& a, const Point<double, dim>& b, Point<double, dim>& ga,
+                  Point<double, dim>& gb) const {
+    using Jet = Dual<double, dim>;
     if (is_average) {
       SegmentGradient<dim> g;
-      detail::hessian_nested(*this, {a, b}, g, h);
-      return;
+      const double q = detail::gradient_by_duals(*this, {a, b}, g);
+      ga = g.a;
+      gb = g.b;
+      return q;
+    }
+    const Tensor<Jet, dim> t = field(variables<Jet>(0.5 * (a + b)));
+    const double q = squared_cost_by(t, a, b);
+    if (!std::isfinite(q)) return ga.setZero(), gb.setZero(), q;
+    set_slopes(metric_of(t), b - a, ga, gb);
+    return q;
+  }
+
+  double derivatives(const Point<double, dim>& a, const Point<double, dim>& b, Point<double, dim>& ga,
+                     Point<double, dim>& gb, Eigen::Ref<Points> h) const {
+    if (is_average) {
+      SegmentGradient<dim> g;
+      const double q = detail::hessian_nested(*this, {a, b}, g, h);
+      ga = g.a;
+      gb = g.b;
+      return q;
     }
     using Square = Tensor<double, dim>;
     const Point<double, dim> u = b - a;
-    const Tensor<NestedDual, dim> m = metric_jet(0.5 * (a + b));
+    const Tensor<NestedDual, dim> t = field(variables<NestedDual>(0.5 * (a + b)));
+    const double q = squared_cost_by(t, a, b);
+    if (!std::isfinite(q)) return q;
+    const Tensor<NestedDual, dim> m = metric_of(t);
+    set_slopes(m, u, ga, gb);
     Square in_u = Square::Zero(), mixed = in_u, in_m = in_u;  // second derivatives of q; mixed: rows u, columns m
     for (int i = 0; i < dim; ++i) {
       for (int j = 0; j < dim; ++j) {
@@ -170,6 +186,7 @@ struct MetricField {
     h.bottomRightCorner(dim, dim) = in_u + both + 0.25 * in_m;
     h.topRightCorner(dim, dim) = across - in_u + 0.25 * in_m;
     h.bottomLeftCorner(dim, dim) = h.topRightCorner(dim, dim).transpose();
+    return q;
   }
 
   double line_element(const Eigen::VectorXd& x, const Eigen::VectorXd& v) const {
@@ -183,17 +200,64 @@ struct MetricField {
  private:
   using NestedDual = Dual<Dual<double, dim>, dim>;
 
-  /// The metric at a place, with first and second derivatives.
-  Tensor<NestedDual, dim> metric_jet(const Point<double, dim>& place) const {
-    Point<NestedDual, dim> x;
+  /// A place, with its first derivatives, or first and second.
+  template <class S>
+  static Point<S, dim> variables(const Point<double, dim>& place) {
+    Point<S, dim> x;
     for (int i = 0; i < dim; ++i) {
       const auto k = static_cast<std::size_t>(i);
-      x[i] = NestedDual(place[i]);
-      x[i].value.d[k] = 1;
-      x[i].d[k] = Dual<double, dim>(1.0);
+      x[i] = S(place[i]);
+      x[i].d[k] = 1.0;
+      if constexpr (std::is_same_v<S, NestedDual>) x[i].value.d[k] = 1;
     }
-    const Tensor<NestedDual, dim> t = field(x);
-    return is_root ? Tensor<NestedDual, dim>(t.transpose() * t) : t;
+    return x;
+  }
+
+  template <class S>
+  Tensor<S, dim> metric_of(const Tensor<S, dim>& t) const {
+    return is_root ? Tensor<S, dim>(t.transpose() * t) : t;
+  }
+
+  /// d := T d, or U d with T = U'U: the residual. False where T is no metric.
+  template <class S>
+  bool apply_root(Tensor<S, dim>& t, Point<S, dim>& d) const {
+    if (is_root) {
+      d = Point<S, dim>(t * d);
+      return true;
+    }
+    if (!root<S, dim>(t)) return false;
+    for (int i = 0; i < dim; ++i) {
+      d[i] *= t(i, i);
+      for (int j = i + 1; j < dim; ++j) d[i] += t(i, j) * d[j];
+    }
+    return true;
+  }
+
+  /// value(a, b) with the tensor in the middle, of which only the values count.
+  template <class S>
+  double squared_cost_by(const Tensor<S, dim>& t, const Point<double, dim>& a, const Point<double, dim>& b) const {
+    Tensor<double, dim> values;
+    for (int j = 0; j < dim; ++j)
+      for (int i = 0; i < dim; ++i) values(i, j) = innermost(t(i, j));
+    Point<double, dim> d = b - a;
+    if (!Field::inside(a) || !Field::inside(Point<double, dim>(0.5 * (a + b))) || !Field::inside(b) ||
+        !apply_root<double>(values, d))
+      return std::numeric_limits<double>::infinity();
+    return d.squaredNorm();
+  }
+
+  /// Slopes of u' M(m) u by both ends.
+  template <class S>
+  static void set_slopes(const Tensor<S, dim>& m, const Point<double, dim>& u, Point<double, dim>& ga,
+                         Point<double, dim>& gb) {
+    Point<double, dim> in_u = Point<double, dim>::Zero(), in_m = in_u;
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < dim; ++j) {
+        in_u[i] += 2 * innermost(m(i, j)) * u[j];
+        for (int k = 0; k < dim; ++k) in_m[k] += u[i] * u[j] * innermost(m(i, j).d[static_cast<std::size_t>(k)]);
+      }
+    ga = 0.5 * in_m - in_u;
+    gb = 0.5 * in_m + in_u;
   }
 
   template <class S>

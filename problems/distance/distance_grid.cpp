@@ -44,18 +44,26 @@ void DistanceGrid::filter() {
   to_bspline_coefficients(&coefficients_[padded(0, 0, 1)], n[2], row_ * rows_, row_ * rows_);
 }
 
-double DistanceGrid::evaluate(const Vector3d& x, Vector3d& gradient) const {
+bool DistanceGrid::locate(const Vector3d& x, std::array<int, 3>& from, Vector3d& place) const {
   const Vector3d t = (x - shape_.origin) / shape_.cell;
-  int from[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const int last = shape_.count[static_cast<std::size_t>(axis)] - 1;
-    if (!(t[axis] >= 0 && t[axis] <= last)) {
-      gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
-      return std::numeric_limits<double>::quiet_NaN();
-    }
-    from[axis] = std::min(static_cast<int>(t[axis]), last - 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto axis = static_cast<Index>(k);
+    const int last = shape_.count[k] - 1;
+    if (!(t[axis] >= 0 && t[axis] <= last)) return false;
+    from[k] = std::min(static_cast<int>(t[axis]), last - 1);
+    place[axis] = t[axis] - from[k];
   }
-  const BsplineWeights wx(t[0] - from[0]), wy(t[1] - from[1]), wz(t[2] - from[2]);
+  return true;
+}
+
+double DistanceGrid::evaluate(const Vector3d& x, Vector3d& gradient) const {
+  std::array<int, 3> from;
+  Vector3d place;
+  if (!locate(x, from, place)) {
+    gradient.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const BsplineWeights wx(place[0]), wy(place[1]), wz(place[2]);
   double value = 0, dx = 0, dy = 0, dz = 0;
   for (int k = 0; k < 4; ++k) {
     const double* c = &coefficients_[padded(from[0], from[1], from[2] + k)];
@@ -81,6 +89,40 @@ void DistanceGrid::evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::R
   Vector3d gradient;
   value[0] = evaluate(Vector3d(x), gradient);
   gradients.col(0) = gradient;
+}
+
+void DistanceGrid::curvature(const Eigen::Ref<const Eigen::VectorXd>& x,
+                             const Eigen::Ref<const Eigen::VectorXd>& weights, Eigen::Ref<Points> out) const {
+  std::array<int, 3> from;
+  Vector3d place;
+  if (!locate(x, from, place)) return out.setConstant(std::numeric_limits<double>::quiet_NaN()), void();
+  const BsplineWeights w[3] = {BsplineWeights(place[0]), BsplineWeights(place[1]), BsplineWeights(place[2])};
+  double second[3][4];
+  for (int axis = 0; axis < 3; ++axis) {
+    const double u = place[axis], v = 1 - u;
+    const double of_axis[4] = {v, 3 * u - 2, 3 * v - 2, u};
+    std::copy_n(of_axis, 4, second[axis]);
+  }
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+  for (int k = 0; k < 4; ++k) {
+    const double* c = &coefficients_[padded(from[0], from[1], from[2] + k)];
+    for (int j = 0; j < 4; ++j, c += row_) {
+      double line = 0, line_x = 0, line_xx = 0;
+      for (int i = 0; i < 4; ++i) {
+        line += w[0].w[i] * c[i];
+        line_x += w[0].d[i] * c[i];
+        line_xx += second[0][i] * c[i];
+      }
+      xx += w[2].w[k] * w[1].w[j] * line_xx;
+      xy += w[2].w[k] * w[1].d[j] * line_x;
+      xz += w[2].d[k] * w[1].w[j] * line_x;
+      yy += w[2].w[k] * second[1][j] * line;
+      yz += w[2].d[k] * w[1].d[j] * line;
+      zz += second[2][k] * w[1].w[j] * line;
+    }
+  }
+  out << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  out *= weights[0] / (shape_.cell * shape_.cell);
 }
 
 double DistanceGrid::at_node(int i, int j, int k) const {

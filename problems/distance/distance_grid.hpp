@@ -25,6 +25,10 @@ class DistanceGrid final : public ConstraintFunction {
   void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
                 Eigen::Ref<Points> gradients) const override;
 
+  bool knows_curvature() const override { return true; }
+  void curvature(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                 Eigen::Ref<Points> out) const override;
+
   /// Value at x, NaN outside the grid, and its gradient.
   double evaluate(const Eigen::Vector3d& x, Eigen::Vector3d& gradient) const;
 
@@ -39,6 +43,8 @@ class DistanceGrid final : public ConstraintFunction {
   DistanceGrid raised(double rise) const;
 
  private:
+  /// The first nodes of the cell that x lies in and its place there, in cells; false outside the grid.
+  bool locate(const Eigen::Vector3d& x, std::array<int, 3>& from, Eigen::Vector3d& place) const;
   std::size_t padded(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * rows_ + static_cast<std::size_t>(j)) * row_ + static_cast<std::size_t>(i);
   }

@@ -25,9 +25,46 @@ class ConstraintFunction {
   /// F(x), k numbers, and the gradients of its components, n x k (the transposed Jacobian).
   virtual void evaluate(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> value,
                         Eigen::Ref<Points> gradients) const = 0;
+  /// Whether curvature() says something.
+  virtual bool knows_curvature() const { return false; }
+  /// sum_j w_j Hess F_j(x), n x n, the w the k numbers of `weights`.
+  virtual void curvature(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                         Eigen::Ref<Points> out) const {
+    static_cast<void>(x);
+    static_cast<void>(weights);
+    out.setZero();
+  }
   /// F in intervals, of a surface in space; null where only its values are known. Lives as long as this object.
   virtual const LevelSetEnclosure* enclosure() const { return nullptr; }
 };
+
+/// Values with first and second derivatives by N coordinates.
+template <int N>
+using SecondDual = Dual<Dual<double, N>, N>;
+
+/// A place whose coordinates carry both.
+template <int N>
+Point<SecondDual<N>, N> seeded_twice(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  Point<SecondDual<N>, N> at;
+  for (int i = 0; i < N; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    at[i] = SecondDual<N>(x[i]);
+    at[i].value.d[k] = 1;
+    at[i].d[k].value = 1;
+  }
+  return at;
+}
+
+/// out = sum_j w_j Hess F_j, from the F_j with their derivatives.
+template <int N>
+void sum_of_curvatures(std::span<const SecondDual<N>> f, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                       Eigen::Ref<Points> out) {
+  out.setZero();
+  for (std::size_t j = 0; j < f.size(); ++j)
+    for (std::size_t p = 0; p < N; ++p)
+      for (std::size_t q = 0; q < N; ++q)
+        out(static_cast<Index>(q), static_cast<Index>(p)) += weights[static_cast<Index>(j)] * f[j].d[p].d[q];
+}
 
 /// Lifts a struct that knows its value; gradients by dual numbers:
 ///
@@ -65,6 +102,17 @@ class ConstraintFunctionOf final : public ConstraintFunction, private LevelSetEn
       value[j] = f[j].value;
       for (int i = 0; i < n; ++i) gradients(i, j) = f[j].d[static_cast<std::size_t>(i)];
     }
+  }
+  bool knows_curvature() const override { return true; }
+  void curvature(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                 Eigen::Ref<Points> out) const override {
+    const Point<SecondDual<n>, n> at = seeded_twice<n>(x);
+    Point<SecondDual<n>, k> f;
+    if constexpr (k == 1)
+      f[0] = function_.template value<SecondDual<n>>(at);
+    else
+      f = function_.template value<SecondDual<n>>(at);
+    sum_of_curvatures<n>({f.data(), k}, weights, out);
   }
   const LevelSetEnclosure* enclosure() const override { return kEncloses ? this : nullptr; }
 

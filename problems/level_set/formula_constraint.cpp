@@ -37,6 +37,17 @@ class FormulaConstraint final : public ConstraintFunction, private LevelSetEnclo
     }
   }
 
+  bool knows_curvature() const override { return inputs() == W; }
+  void curvature(const Eigen::Ref<const Eigen::VectorXd>& x, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                 Eigen::Ref<Points> out) const override {
+    using S = SecondDual<W>;
+    const Point<S, W> at = seeded_twice<W>(x);
+    std::array<S, W> f;  // fewer equations than coordinates
+    const std::span<S> values(f.data(), static_cast<std::size_t>(outputs()));
+    formulas_.evaluate<S>(std::span<const S>(at.data(), W), values);
+    sum_of_curvatures<W>(values, weights, out);
+  }
+
   const LevelSetEnclosure* enclosure() const override { return inputs() == 3 && outputs() == 1 ? this : nullptr; }
 
  private:

@@ -22,6 +22,12 @@ class SphereFunction final : public ConstraintFunction, private LevelSetEnclosur
     value[0] = (x.squaredNorm() / radius_ - radius_) / 2;
     gradients.col(0) = x / radius_;
   }
+  bool knows_curvature() const override { return true; }
+  void curvature(const Eigen::Ref<const Eigen::VectorXd>&, const Eigen::Ref<const Eigen::VectorXd>& weights,
+                 Eigen::Ref<Points> out) const override {
+    out.setZero();
+    out.diagonal().setConstant(weights[0] / radius_);
+  }
   const LevelSetEnclosure* enclosure() const override { return dimension_ == 3 ? this : nullptr; }
 
  private:

@@ -31,6 +31,9 @@ class BoundedLevelSet final : public LevelSet, public GoesBeyondBounds {
   bool project_point(Eigen::Ref<Eigen::VectorXd> x) const override;
 
  private:
+  /// Where a bound holds a point, its retraction bends as that of a curve; which bounds hold it depends on the step.
+  bool knows_curvature() const override { return false; }
+
   /// Per coordinate the bound that holds it: -1 lower, 1 upper, 0 none.
   using Held = std::array<signed char, kMaxDimension>;
 

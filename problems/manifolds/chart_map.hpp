@@ -19,8 +19,13 @@ class ChartMap {
  public:
   virtual ~ChartMap() = default;
   virtual Eigen::Vector3d position(const Eigen::Vector2d& u) const = 0;  ///< place in space of coordinates
-  /// Columns dx/du, dx/dv.
-  virtual Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const = 0;
+  /// The same with the columns dx/du, dx/dv.
+  virtual Eigen::Vector3d position(const Eigen::Vector2d& u, Eigen::Matrix<double, 3, 2>& jacobian) const = 0;
+  Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const {
+    Eigen::Matrix<double, 3, 2> j;
+    position(u, j);
+    return j;
+  }
   /// Hessian of w . x(u, v).
   virtual Eigen::Matrix2d curvature(const Eigen::Vector2d& u, const Eigen::Vector3d& w) const = 0;
   /// Position and Jacobian, the latter row by row, in intervals: see EnclosesChart.
@@ -37,12 +42,12 @@ class ChartMapOf final : public ChartMap {
 
   Eigen::Vector3d position(const Eigen::Vector2d& u) const override { return function_(u[0], u[1]); }
 
-  Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const override {
+  Eigen::Vector3d position(const Eigen::Vector2d& u, Eigen::Matrix<double, 3, 2>& jacobian) const override {
     using S = Dual<double, 2>;
     const Eigen::Matrix<S, 3, 1> x = function_(S(u[0], {1, 0}), S(u[1], {0, 1}));
-    Eigen::Matrix<double, 3, 2> j;
-    for (int i = 0; i < 3; ++i) j.row(i) << x[i].d[0], x[i].d[1];
-    return j;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 2; ++k) jacobian(i, k) = x[i].d[static_cast<std::size_t>(k)];
+    return {x[0].value, x[1].value, x[2].value};
   }
 
   Eigen::Matrix2d curvature(const Eigen::Vector2d& u, const Eigen::Vector3d& w) const override {

@@ -118,6 +118,20 @@ void null_space(const ConstraintFunction& function, const Eigen::VectorXd& x, Ei
   }
 }
 
+/// -lambda for the multipliers lambda of least |g - sum_j lambda_j grad F_j|; false where F has no gradients there.
+template <int N, int K>
+bool negative_multipliers(const ConstraintFunction& function, const Eigen::Ref<const Eigen::VectorXd>& x,
+                          const Eigen::VectorXd& g, Vector<K>& out) {
+  State<N, K> state(x.size(), function.outputs());
+  state.x = x;
+  if (!state.evaluate(function)) return false;
+  if constexpr (K == 1)
+    out[0] = -state.gradients.col(0).dot(g) / state.gradients.squaredNorm();
+  else
+    out = -least_squares(state.gradients, g);
+  return out.allFinite();
+}
+
 /// Calls `work` with the sizes as types: known at compile time for curves, surfaces and quaternions.
 template <class Work>
 auto with_sizes(const ConstraintFunction& function, Work work) {
@@ -158,6 +172,17 @@ bool LevelSet::project_point(Eigen::Ref<Eigen::VectorXd> x) const { return solve
 
 void LevelSet::tangent_basis(const Eigen::VectorXd& x, Eigen::Ref<Points> basis) const {
   with_sizes(*function_, [&](auto n, auto k) { null_space<n.value, k.value>(*function_, x, basis); });
+}
+
+bool LevelSet::bend(const CoordinatePath& path, Index column, const Eigen::VectorXd& gradient, Points& bend) const {
+  return with_sizes(*function_, [&](auto n, auto k) {
+    Vector<k.value> weights(function_->outputs());
+    const auto x = path.u.col(column);
+    if (!negative_multipliers<n.value, k.value>(*function_, x, gradient, weights)) return false;
+    bend.resize(x.size(), x.size());
+    function_->curvature(x, weights, bend);
+    return true;
+  });
 }
 
 std::string LevelSet::why_not_projected(const Eigen::VectorXd& x) const {

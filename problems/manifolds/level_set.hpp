@@ -6,6 +6,7 @@
 #include <string>
 
 #include <leastcost/framework/domain/encloses_level_set.hpp>
+#include <leastcost/framework/domain/has_curvature.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/drawing/draws_itself.hpp>
 #include <leastcost/problems/level_set/constraint_function.hpp>
@@ -23,6 +24,7 @@ namespace leastcost {
 class LevelSet : public EmbeddedManifold,
                  public ExplainsProjection,
                  public HasLevelSet,
+                 public HasCurvature,
                  public EnclosesLevelSet,
                  public IsSurface,
                  public DrawsItself {
@@ -32,6 +34,8 @@ class LevelSet : public EmbeddedManifold,
 
   std::string why_not_projected(const Eigen::VectorXd& x) const override;
   const ConstraintFunction& function() const override { return *function_; }
+  /// -sum_j lambda_j Hess F_j with the multipliers of least |gradient - sum_j lambda_j grad F_j|.
+  bool bend(const CoordinatePath& path, Index column, const Eigen::VectorXd& gradient, Points& bend) const override;
   const LevelSetEnclosure* level_set_enclosure() const override { return function_->enclosure(); }
   bool is_surface() const override { return dimensions().ambient == 3 && dimensions().tangent == 2; }
   /// Of one function: a surface in space, curves in the plane.
@@ -44,6 +48,8 @@ class LevelSet : public EmbeddedManifold,
   static bool solve(const ConstraintFunction& function, Eigen::Ref<Eigen::VectorXd> x);
 
  private:
+  bool knows_curvature() const override { return function_->knows_curvature(); }
+
   std::shared_ptr<const ConstraintFunction> function_;
 };
 

@@ -54,12 +54,22 @@ void ParametricManifold::embed(const CoordinatePath& path, Points& x) const {
 
 void ParametricManifold::jacobians(const CoordinatePath& path, Points& j) const {
   j.resize(3, 2 * path.u.cols());
-  for (Index i = 0; i < path.u.cols(); ++i) j.middleCols(2 * i, 2) = map_->jacobian(path.u.col(i));
+  for (Index i = 0; i < path.u.cols(); ++i) j.middleCols<2>(2 * i) = map_->jacobian(path.u.col(i));
+}
+
+void ParametricManifold::embed_with_jacobians(const CoordinatePath& path, Points& x, Points& j) const {
+  x.resize(3, path.u.cols());
+  j.resize(3, 2 * path.u.cols());
+  Eigen::Matrix<double, 3, 2> slopes;
+  for (Index i = 0; i < path.u.cols(); ++i) {
+    x.col(i) = map_->position(path.u.col(i), slopes);
+    j.middleCols<2>(2 * i) = slopes;
+  }
 }
 
 void ParametricManifold::curvatures(const CoordinatePath& path, const Points& weights, Points& h) const {
   h.resize(2, 2 * path.u.cols());
-  for (Index i = 0; i < path.u.cols(); ++i) h.middleCols(2 * i, 2) = map_->curvature(path.u.col(i), weights.col(i));
+  for (Index i = 0; i < path.u.cols(); ++i) h.middleCols<2>(2 * i) = map_->curvature(path.u.col(i), weights.col(i));
 }
 
 void ParametricManifold::enclose_chart(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>> x,

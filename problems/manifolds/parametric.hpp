@@ -160,6 +160,7 @@ class ParametricManifold : public ConstraintManifold,
   double residual(const CoordinatePath& path) const override;
   void embed(const CoordinatePath& path, Points& x) const override;
   void jacobians(const CoordinatePath& path, Points& j) const override;
+  void embed_with_jacobians(const CoordinatePath& path, Points& x, Points& j) const override;
   void curvatures(const CoordinatePath& path, const Points& weights, Points& h) const override;
   void enclose_chart(std::span<const IntervalJet<2>, 2> u, std::span<IntervalJet<2>> x,
                      std::span<IntervalJet<2>> jacobian) const override;

@@ -151,7 +151,8 @@ class TriangleMesh {
   void build_normals(std::span<const double> angles, const Deadline& deadline);
   void build_components();
   std::vector<double> corner_angles(const Deadline& deadline) const;
-  Eigen::Vector3d fan_normal(std::int32_t corner, std::int32_t fan, std::span<const Eigen::Vector3d> weighted);
+  Eigen::Vector3d fan_normal(std::int32_t corner, std::int32_t fan, std::span<const double> angles,
+                             std::span<const Eigen::Vector3d> normals);
   SurfacePoint locate_in_base(std::int32_t base, Eigen::Vector3d barycentric) const;
   std::int32_t base_of(std::int32_t f) const { return f >> (2 * subdivisions_); }
 

@@ -85,27 +85,29 @@ void TriangleMesh::build_vertex_tables(std::span<const double> angles, const Dea
 }
 
 void TriangleMesh::build_normals(std::span<const double> angles, const Deadline& deadline) {
-  std::vector<Eigen::Vector3d> weighted(3 * faces_.size());
+  std::vector<Eigen::Vector3d> normals;
+  normals.reserve(faces_.size());
   for (std::int32_t f = 0; f < face_count(); ++f) {
     look_at_clock(deadline, f);
-    const Eigen::Vector3d normal = face_normal(f);
-    for (std::int32_t h = 3 * f; h < 3 * f + 3; ++h) weighted[at(h)] = angles[at(h)] * normal;
+    normals.push_back(face_normal(f));
   }
+  fan_normals_.reserve(positions_.size());  // more only where sheets meet
   corner_fan_.assign(3 * faces_.size(), -1);
   for (std::int32_t h = 0; h < 3 * face_count(); ++h) {
     look_at_clock(deadline, h);
     if (corner_fan_[at(h)] >= 0) continue;
-    fan_normals_.push_back(fan_normal(h, static_cast<std::int32_t>(fan_normals_.size()), weighted));
+    fan_normals_.push_back(fan_normal(h, static_cast<std::int32_t>(fan_normals_.size()), angles, normals));
   }
 }
 
 /// Walks from face to face around the tail of halfedge `corner`, both ways until a border, a non-manifold edge or the
 /// start, marks every corner met with the fan and whether its face is flipped against the first one, and adds up.
-Eigen::Vector3d TriangleMesh::fan_normal(std::int32_t corner, std::int32_t fan,
-                                         std::span<const Eigen::Vector3d> weighted) {
+Eigen::Vector3d TriangleMesh::fan_normal(std::int32_t corner, std::int32_t fan, std::span<const double> angles,
+                                         std::span<const Eigen::Vector3d> normals) {
+  const auto weighted = [&](std::int32_t h) { return Eigen::Vector3d(angles[at(h)] * normals[at(h / 3)]); };
   const std::int32_t v = tail(corner);
   corner_fan_[at(corner)] = 2 * fan;
-  Eigen::Vector3d sum = weighted[at(corner)];
+  Eigen::Vector3d sum = weighted(corner);
   for (std::int32_t side : {corner, previous(corner)}) {
     std::int32_t flipped = 0;
     for (std::int32_t other = across(side); other >= 0; other = across(side)) {
@@ -113,7 +115,7 @@ Eigen::Vector3d TriangleMesh::fan_normal(std::int32_t corner, std::int32_t fan,
       const std::int32_t met = tail(other) == v ? other : next(other);
       if (corner_fan_[at(met)] >= 0) break;
       corner_fan_[at(met)] = 2 * fan + flipped;
-      sum += (flipped == 0 ? 1.0 : -1.0) * weighted[at(met)];
+      sum += (flipped == 0 ? 1.0 : -1.0) * weighted(met);
       side = met == other ? previous(met) : met;  // leave by the other edge at v
     }
   }

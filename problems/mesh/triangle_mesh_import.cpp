@@ -209,6 +209,9 @@ void TriangleMesh::number_vertices(const PolygonSoup& soup, const std::vector<st
   for (const auto& corners : faces_) {
     for (const std::int32_t v : corners) number[static_cast<std::size_t>(v)] = 0;
   }
+  const auto used = static_cast<std::size_t>(std::count(number.begin(), number.end(), 0));
+  positions_.reserve(used);
+  file_vertex_.reserve(used);
   for (std::size_t v = 0; v < number.size(); ++v) {
     if (number[v] < 0) continue;
     number[v] = static_cast<std::int32_t>(positions_.size());

@@ -57,6 +57,7 @@ class PlyBody {
     check_count(values_, element, least);
     if (element.name == "vertex") soup_.positions.reserve(element.count);
     if (element.name == "face") soup_.polygon_begin.reserve(element.count + 1);
+    if (element.name == "face") soup_.corners.reserve(3 * element.count);
     for (std::size_t i = 0; i < element.count; ++i) {
       values_.begin_record();
       if (element.name == "vertex") {

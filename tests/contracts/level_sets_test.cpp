@@ -3,6 +3,7 @@
 
 // The domains that are given by equations: contract, and the errors of what is no domain.
 #include <leastcost/framework/base/errors.hpp>
+#include <leastcost/framework/domain/has_curvature.hpp>
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/problem/problem.hpp>
 #include <leastcost/problems/manifolds/constraint.hpp>
@@ -72,6 +73,30 @@ std::string refusal(const ConstraintManifold& manifold, const Eigen::VectorXd& x
   }
 }
 
+/// The second derivative of gradient'R(step) by the step, which the domain says, against differences of R.
+void check_bend(const LevelSet& domain, double half_box) {
+  constexpr double kStep = 1e-3;
+  const auto* bends = find_ability<HasCurvature>(domain);
+  REQUIRE(bends != nullptr);
+  const int d = domain.dimensions().coordinate;
+  Random random;
+  for (int trial = 0; trial < 20; ++trial) {
+    CoordinatePath path{Eigen::VectorXd::NullaryExpr(d, [&] { return random.uniform(-half_box, half_box); }), {}, true};
+    if (!domain.project(path).failed.empty()) continue;
+    const Eigen::VectorXd gradient = random.vector(d);
+    Points bases, bend;
+    domain.tangent_bases(path, bases);
+    REQUIRE(bends->bend(path, 0, gradient, bend));
+    REQUIRE(bend.rows() == d);
+    const Eigen::VectorXd along = bases * random.vector(bases.cols()).normalized();
+    CoordinatePath plus, minus;
+    domain.retract(path, kStep * along, plus);
+    domain.retract(path, -kStep * along, minus);
+    const double differences = gradient.dot(plus.u.col(0) + minus.u.col(0) - 2 * path.u.col(0)) / (kStep * kStep);
+    CHECK(along.dot(bend * along) == Approx(differences).epsilon(1e-3).margin(1e-4 * gradient.norm() * bend.norm()));
+  }
+}
+
 template <class Make>
 std::string wrong_key(Make make) {
   try {
@@ -125,6 +150,26 @@ TEST_CASE("manifold contract: constraint, so3", "[contract]") {
   REQUIRE(images->images(q, r, 5).size() == 1);
   CHECK(images->images(q, r, 5)[0].u == -q);
   CHECK(images->images(q, r, 0).empty());
+}
+
+TEST_CASE("level sets bend as their retraction does", "[contract]") {
+  for (const char* name : {"sphere", "ellipsoid", "torus", "genus2", "gyroid", "paper_curve"})
+    check_bend(*implicit_surface(name), 1.5);
+  check_bend(*implicit_formula("z - a*sin(x)*cos(y)", 3, {{"a", 0.5}}), 2);
+  check_bend(*implicit_formula("x^2/4 + y^2 - 1", 2), 2);
+  check_bend(*equations(4, {"x0^2 + x1^2 - 1", "x2^2 + x3^2 - 1 + 0.2 * x0 * x3"}), 1);
+  check_bend(*equations(3, {"cos(x0) + cos(x0 + x1) - 0.5"}), 2);
+  check_bend(*named_set(constraint::Sphere{2}, 7), 2);
+  check_bend(*named_set(constraint::Rotations{}, 4), 1);
+}
+
+TEST_CASE("level sets: where a box holds points or formulas are of many coordinates differences tell how they bend",
+          "[contract]") {
+  ImplicitManifoldOptions boxed{.surface = implicit::Torus{}};
+  boxed.box.upper = Eigen::Vector3d(2, 2, 2);
+  boxed.box.lower = Eigen::Vector3d(-2, -2, -2);
+  CHECK(find_ability<HasCurvature>(*make_implicit_manifold(boxed)) == nullptr);
+  CHECK(find_ability<HasCurvature>(*equations(6, {"x0^2 + x1 * x5 - 1"})) == nullptr);
 }
 
 TEST_CASE("level sets: where there is no projection, the reason is given", "[contract]") {

@@ -3,11 +3,13 @@
 #include "framework/newton/bounded_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "framework/newton/chain_newton.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/compose.hpp"
 #include "tests/support/random.hpp"
@@ -57,6 +59,35 @@ class HalfPlanes final : public ConstraintManifold, public SeesBounds {
   static constexpr Index kMostColumns = 1000;
   std::vector<Bound> bounds_;
   int copies_;
+};
+
+/// The plane, where the middle column stays where it is unless its step is short: between walls that leave it no room.
+class Pinched final : public ConstraintManifold, public SeesBounds {
+ public:
+  Pinched(Index column, double longest) : column_(column), longest_(longest) {}
+  Dimensions dimensions() const override { return {2, 2, 2}; }
+  Shape shape() const override { return Shape::flat; }
+  Projection project(CoordinatePath&) const override { return {}; }
+  void tangent_bases(const CoordinatePath& path, Points& bases) const override {
+    bases = Points::Identity(2, 2).replicate(1, path.u.cols());
+  }
+  void retract(const CoordinatePath& from, const Points& step, CoordinatePath& to) const override {
+    to = from;
+    to.u.middleCols(from.free_begin(), from.free_count()) += step;
+    if (step.col(column_ - from.free_begin()).norm() > longest_) to.u.col(column_) = from.u.col(column_);
+  }
+  double residual(const CoordinatePath&) const override { return 0; }
+  void bounds_within(const CoordinatePath&, Index, double, std::vector<NearBound>& found) const override {
+    found.clear();
+  }
+  void retract_onto(const CoordinatePath& from, const Points& step, const BoundsOfPoints&,
+                    CoordinatePath& to) const override {
+    retract(from, step, to);
+  }
+
+ private:
+  Index column_;
+  double longest_;
 };
 
 constexpr Index kColumns = 9, kFree = kColumns - 2;
@@ -233,6 +264,31 @@ TEST_CASE("bounded steps: many small steps do not make the radius longer than a 
   step.solve(path, model);
   const double length = (path.u.rightCols(kColumns - 1) - path.u.leftCols(kColumns - 1)).colwise().norm().sum();
   CHECK(step.part_within(1e6 * Points::Ones(2, 1)) * 1e6 < 16.1 * length / (kColumns - 1));
+}
+
+TEST_CASE("bounded steps: a solve to a loose tolerance ends where a point without room has cut 30 steps short") {
+  constexpr Index kMiddle = kColumns / 2;
+  constexpr double kHeight = 0.5;
+  CoordinatePath tent{Points(2, kColumns), {}, false};
+  for (Index i = 0; i < kColumns; ++i)
+    tent.u.col(i) << static_cast<double>(i),
+        kHeight * (1 - std::abs(static_cast<double>(i - kMiddle)) / static_cast<double>(kMiddle));
+  const auto solved = [&](double longest, double tolerance) {
+    const Problem problem = among(std::make_shared<Pinched>(kMiddle, longest));
+    PathEnergy energy(problem, 1);
+    CoordinatePath path = tent;
+    Limits limits = kChainNewtonLimits;
+    limits.tolerance = tolerance;
+    return solve_by_newton(energy, path, limits, {});
+  };
+  constexpr double kLoose = 1e-8;
+  const SolveReport free = solved(1, kLoose), pinched = solved(kHeight / 128, kLoose);
+  CHECK(free.termination == Termination::converged);
+  CHECK(free.iterations < 5);
+  CHECK(pinched.termination == Termination::line_search_failed);
+  CHECK(pinched.iterations >= 30);
+  CHECK(pinched.iterations < 40);
+  CHECK(solved(kHeight / 128, kChainNewtonLimits.tolerance).termination == Termination::converged);
 }
 
 }  // namespace leastcost::test

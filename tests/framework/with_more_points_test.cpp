@@ -120,7 +120,7 @@ TEST_CASE("refine: where more points bring the value no closer it ends, and says
   int doublings = 0;
   Monitor monitor;
   monitor.observe = [&](const Progress& p) { doublings = p.more_points != nullptr ? p.more_points->doubling : 0; };
-  const Result result = find_refined(over_ripples(300), 5, 6, monitor);  // far narrower than any of the segments
+  const Result result = find_refined(over_ripples(280), 5, 6, monitor);  // far narrower than any of the segments
   CAPTURE(doublings, failures(result.certificate), result.notes);
   CHECK(result.status == Status::uncertified);
   CHECK(doublings > 1);

@@ -41,6 +41,29 @@ std::string refusal(const GridShape& shape, std::vector<double> values) {
 
 }  // namespace
 
+TEST_CASE("distance grid: second derivatives are those of its gradient") {
+  constexpr double kStep = 1e-5;
+  const DistanceGrid grid = sampled(cube(12), wave);
+  REQUIRE(grid.knows_curvature());
+  Random random;
+  Eigen::VectorXd weight(1);
+  weight[0] = -1.7;
+  Points bend(3, 3);
+  for (int n = 0; n < 50; ++n) {
+    const Vector3d x(random.uniform(-0.9, 0.9), random.uniform(-0.4, 1.4), random.uniform(2.1, 3.9));
+    grid.curvature(x, weight, bend);
+    for (int axis = 0; axis < 3; ++axis) {
+      Vector3d before, after;
+      grid.evaluate(x - kStep * Vector3d::Unit(axis), before);
+      grid.evaluate(x + kStep * Vector3d::Unit(axis), after);
+      const Vector3d differences = weight[0] * (after - before) / (2 * kStep);
+      CHECK((bend.col(axis) - differences).norm() < 1e-3);  // third derivatives jump between cells
+    }
+  }
+  grid.curvature(Vector3d(9, 9, 9), weight, bend);
+  CHECK(!bend.allFinite());
+}
+
 // A spline of degree three with clamped ends whose slopes are exact for cubics reproduces every tricubic polynomial, up
 // to the border.
 TEST_CASE("distance grid: tricubic polynomials are reproduced") {
