@@ -146,12 +146,15 @@ std::string estimate_notes(const Field& field, double largest) {
   return out;
 }
 
+std::string direction_note(const RunField& of) {
+  if (!is_directed(of) || of.is_corridor()) return {};
+  return fmt::format("note: the two directions of a way differ in cost; these are costs of {} the {}\n",
+                     of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place");
+}
+
 std::string lattice_notes(const RunField& of, double largest) {
   const CostField& field = of.lattice();
-  std::string out = estimate_notes(field, largest);
-  if (field.directed && !of.is_corridor())
-    out += fmt::format("note: the two directions of a way differ in cost; these are costs of {} the {}\n",
-                       of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place");
+  std::string out = estimate_notes(field, largest) + direction_note(of);
   if (field.asymmetry > CostField::kFaithfulAsymmetry)
     out += fmt::format(
         "note: {}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified "
@@ -190,8 +193,12 @@ std::vector<std::string> all_notes(const RunField& field, const std::vector<Fiel
 
 }  // namespace
 
+bool is_directed(const RunField& field) {
+  return field.in_space() ? field.space().directed : !field.on_mesh() && field.lattice().directed;
+}
+
 std::string method_of(const RunField& field) {
-  return field.on_mesh() ? "exact windows" : field.in_space() ? "isotropic march" : field.lattice().method;
+  return field.on_mesh() ? "exact windows" : field.in_space() ? field.space().method : field.lattice().method;
 }
 
 std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways) {
@@ -201,7 +208,7 @@ std::string field_summary_text(const RunField& field, const std::string& output,
   std::string out = fmt::format("{}: {}, {} reached, the largest value {:.6g} {}\n", output, nodes, extent.reached,
                                 extent.largest, unit);
   out += field.on_mesh()    ? mesh_notes(field.on_vertices())
-         : field.in_space() ? estimate_notes(field.space(), extent.largest)
+         : field.in_space() ? estimate_notes(field.space(), extent.largest) + direction_note(field)
                             : lattice_notes(field, extent.largest);
   for (const std::string& note : all_notes(field, ways)) out += fmt::format("note: {}\n", note);
   for (const FieldWay& way : ways)
@@ -215,7 +222,7 @@ std::string field_summary_json(const RunField& field, const std::string& output,
               {"what", field.is_corridor() ? "corridor" : "field"},
               {"output", output},
               {"method", method_of(field)},
-              {"directed", field.nodes() == FieldNodes::plane && field.lattice().directed},
+              {"directed", is_directed(field)},
               {"asymmetry", number(field.nodes() == FieldNodes::plane ? field.lattice().asymmetry : 1)},
               {"unit", unit_of_cost(field.problem())}};
   out[field.to_places() ? "to" : "from"] = places_json(field.places());

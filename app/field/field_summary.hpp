@@ -11,6 +11,8 @@ namespace leastcost::app {
 
 /// "isotropic march", "arrival field" or "exact windows".
 std::string method_of(const RunField& field);
+/// Whether a way may cost more or less than the way back.
+bool is_directed(const RunField& field);
 
 /// What was computed, how exact it is, and the ways: lines of text. `output`: the file it was written to.
 std::string field_summary_text(const RunField& field, const std::string& output, const std::vector<FieldWay>& ways);

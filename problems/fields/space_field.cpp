@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -13,9 +14,11 @@
 #include <leastcost/framework/domain/has_images.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include "framework/base/point_text.hpp"
+#include "problems/fields/drift_metric.hpp"
 #include "problems/fields/field_error.hpp"
 #include "problems/fields/field_lattice.hpp"
 #include "problems/fields/grid_search.hpp"
+#include "problems/fields/space_arrival.hpp"
 #include "problems/fields/space_march.hpp"
 #include "problems/fields/tightened_way.hpp"
 #include "problems/fields/without_cost.hpp"
@@ -31,12 +34,34 @@ constexpr double kNoWay = std::numeric_limits<double>::infinity();
 void check_space(const Problem& problem) {
   if (problem.ring) throw InputError("field: a ring has no source: give ends");
   if (!is_in_space(problem)) throw InputError("field: needs space, or a box of it");
-  const SegmentCost& cost = *problem.cost;
-  const auto* conformal = find_ability<HasConformalMetric>(cost);
-  if (!MoveCheck(problem).euclidean() && (conformal == nullptr || !conformal->base().isIdentity(0)))
-    throw InputError(
-        "field: in three coordinates a unit of length must cost the same in all directions (euclidean, "
-        "refractive_index); for this cost, leastcost run gives the least cost between two places");
+}
+
+/// A unit of length costs the same in all directions.
+bool is_isotropic_in_space(const Problem& problem) {
+  const auto* conformal = find_ability<HasConformalMetric>(*problem.cost);
+  return MoveCheck(problem).euclidean() || (conformal != nullptr && conformal->base().isIdentity(0));
+}
+
+/// The line elements at the nodes; of the reverse moves where costs to places are asked.
+std::vector<DriftMetric> elements_in_space(const Problem& problem, const Lattice3& lattice, bool to_places) {
+  std::vector<DriftMetric> elements;
+  elements.reserve(static_cast<std::size_t>(lattice.count[0]) * static_cast<std::size_t>(lattice.count[1]) *
+                   static_cast<std::size_t>(lattice.count[2]));
+  for (std::int32_t k = 0; k < lattice.count[2]; ++k)
+    for (std::int32_t j = 0; j < lattice.count[1]; ++j)
+      for (std::int32_t i = 0; i < lattice.count[0]; ++i) {
+        const Vector3d x = lattice.place(i, j, k);
+        std::optional<DriftMetric> element = drift_metric_at(*problem.cost, x);
+        if (!element)
+          throw InputError(
+              "field: in three coordinates the cost must be a metric, or the time in a wind that is "
+              "weaker than the speed; at " +
+              point_text(x) + " it is neither. leastcost run gives the least cost between two places");
+        if (to_places)
+          for (double& drift : element->b) drift = -drift;
+        elements.push_back(*element);
+      }
+  return elements;
 }
 
 std::vector<double> densities_in_space(const Problem& problem, const Lattice3& lattice) {
@@ -54,8 +79,9 @@ std::vector<double> densities_in_space(const Problem& problem, const Lattice3& l
   return n;
 }
 
-Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& resolution) {
-  constexpr double kCells = 80, kMostSpaceNodes = 3e7;  // 40 bytes each while the front runs
+Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& resolution, bool isotropic) {
+  // A node takes 40 bytes while the front runs, and 200 and about fifty times as long if the direction counts.
+  const double kCells = isotropic ? 80 : 40, kMostSpaceNodes = isotropic ? 3e7 : 3e6;
   const Vector3d size = box.upper - box.lower;
   check_extent(box);
   check_resolution(resolution, size);
@@ -69,7 +95,8 @@ Lattice3 lattice_in_space(const LatticeBox& box, const std::optional<double>& re
     nodes *= cells + 1;
   }
   if (!(nodes <= kMostSpaceNodes))
-    throw OptionError("resolution", "gives more than 30 million nodes: choose a larger one");
+    throw OptionError("resolution", std::string("gives more than ") + (isotropic ? "30" : "3") +
+                                        " million nodes: choose a larger one");
   return lattice;
 }
 
@@ -80,8 +107,9 @@ Lattice3 every_second_in_space(const Lattice3& lattice) {
   return half;
 }
 
-std::vector<double> every_second_in_space(const std::vector<double>& values, const Lattice3& lattice) {
-  std::vector<double> half;
+template <class Value>
+std::vector<Value> every_second_in_space(const std::vector<Value>& values, const Lattice3& lattice) {
+  std::vector<Value> half;
   half.reserve(values.size() / 4);
   for (std::int32_t k = 0; k < lattice.count[2]; k += 2)
     for (std::int32_t j = 0; j < lattice.count[1]; j += 2)
@@ -106,18 +134,31 @@ void check_places_in_space(const std::vector<Eigen::VectorXd>& places, const Lat
   }
 }
 
-std::vector<double> marched_in_space(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
-                                     const Lattice3& lattice, const std::vector<double>& densities,
-                                     const Monitor& monitor) {
+/// `March`: SpaceMarch from densities, SpaceArrival from line elements.
+template <class March, class Local>
+std::vector<double> marched_in_space(const Problem& problem, const SpaceField& field, const Lattice3& lattice,
+                                     const std::vector<Local>& locals, const Monitor& monitor) {
   const MoveCheck moves(problem);
   SpaceMarch::Passes passes;
   if (moves.among_obstacles())
     passes = [&moves](const Vector3d& a, const Vector3d& b) { return moves.clear(a, b, kNoWay); };
-  SpaceMarch march(lattice, densities, passes);
-  for (const Eigen::VectorXd& place : places)
-    march.start(place, [&moves](const Vector3d& a, const Vector3d& b) { return moves.cost(a, b); });
+  March march(lattice, locals, passes);
+  for (const Eigen::VectorXd& place : field.places)
+    march.start(place, [&](const Vector3d& a, const Vector3d& b) {
+      return field.to_places ? moves.cost(b, a) : moves.cost(a, b);
+    });
   march.run([&monitor] { return monitor.interrupted(); });
   return march.values();
+}
+
+/// The values of a field, and those on every second node where an error is estimated.
+template <class March, class Local>
+std::vector<double> fill_in_space(const Problem& problem, const Lattice3& lattice, const std::vector<Local>& locals,
+                                  bool twice, const Monitor& monitor, SpaceField& field) {
+  field.values = marched_in_space<March>(problem, field, lattice, locals, monitor);
+  if (!twice) return {};
+  return marched_in_space<March>(problem, field, every_second_in_space(lattice), every_second_in_space(locals, lattice),
+                                 monitor);
 }
 
 /// Calls f with all nodes within so many steps of a place, along each axis.
@@ -152,6 +193,9 @@ void check_left_in_space(const Problem& problem, const SpaceField& field) {
 /// From node to cheaper node down to one of the places, which it ends with; without points where it is lost.
 std::vector<Vector3d> node_way(const SpaceField& field, const MoveCheck& moves, const Vector3d& place) {
   constexpr double kReach = 2, kNearPlace = 3.5;  // steps
+  const auto move = [&](const Vector3d& before, const Vector3d& x) {
+    return field.to_places ? moves.cost(x, before) : moves.cost(before, x);
+  };
   std::vector<Vector3d> way = {place};
   double here = kNoWay;
   while (true) {
@@ -161,12 +205,12 @@ std::vector<Vector3d> node_way(const SpaceField& field, const MoveCheck& moves, 
     bool ends = false;
     for (const Eigen::VectorXd& end : field.places) {
       if ((end - x).cwiseQuotient(field.step).norm() > kNearPlace) continue;
-      const double cost = moves.cost(end, x);
+      const double cost = move(end, x);
       if (cost < best && moves.clear(end, x, kNoWay)) best = cost, next = end, ends = true;
     }
     for_nodes_near(field, x, kReach, [&](const Vector3d& node, double value) {
       if (!(value < here) || node == x) return;
-      const double cost = value + moves.cost(node, x);
+      const double cost = value + move(node, x);
       if (!(cost < best) || !moves.clear(node, x, kNoWay)) return;
       best = cost, value_there = value, next = node, ends = false;
     });
@@ -193,28 +237,35 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
   check_space(problem);
   const LatticeBox box = field_box(problem, {});
   check_places_in_space(places, box);
-  const Lattice3 lattice = lattice_in_space(box, options.resolution);
+  const bool isotropic = is_isotropic_in_space(problem);
+  const Lattice3 lattice = lattice_in_space(box, options.resolution, isotropic);
   SpaceField field;
   field.count = lattice.count, field.lower = lattice.lower, field.step = lattice.step;
   field.places = places;
   field.to_places = options.to_places;
-  const std::vector<double> densities = densities_in_space(problem, lattice);
-  field.values = marched_in_space(problem, places, lattice, densities, monitor);
-  check_left_in_space(problem, field);
+  field.directed = !problem.cost->traits().symmetric;
+  field.method = isotropic ? "isotropic march" : "arrival field";
   const auto place_of = [&lattice](std::size_t node) -> Eigen::VectorXd {
     const auto number = static_cast<std::int32_t>(node);
     const std::int32_t row = number / lattice.count[0];
     return lattice.place(number % lattice.count[0], row % lattice.count[1], row / lattice.count[1]);
   };
+  std::vector<double> coarse;
+  if (isotropic) {
+    const std::vector<double> densities = densities_in_space(problem, lattice);
+    coarse = fill_in_space<SpaceMarch>(problem, lattice, densities, options.estimate_error, monitor, field);
+    count_free_nodes(densities, place_of, field);
+  } else {
+    const std::vector<DriftMetric> elements = elements_in_space(problem, lattice, options.to_places);
+    coarse = fill_in_space<SpaceArrival>(problem, lattice, elements, options.estimate_error, monitor, field);
+  }
+  check_left_in_space(problem, field);
   field.without_cost = why_some_without_cost(problem, field.values, place_of);
-  count_free_nodes(densities, place_of, field);
   field.enclosed = is_enclosed<3>(field);
   if (field.enclosed) check_cost_at(problem, places);
   if (options.estimate_error) {
-    const std::vector<double> coarse = marched_in_space(problem, places, every_second_in_space(lattice),
-                                                        every_second_in_space(densities, lattice), monitor);
     estimate_error(every_second_in_space(field.values, lattice), coarse,
-                   MoveCheck(problem).among_obstacles() ? kFirstOrder : kOfDensities, field);
+                   isotropic && !MoveCheck(problem).among_obstacles() ? kOfDensities : kFirstOrder, field);
     allow_for_meeting_fronts<3>(field);
   }
   for (double& value : field.values)
@@ -237,17 +288,15 @@ std::vector<Vector3d> way_down(const SpaceField& field, const Problem& problem, 
     throw InputError("field: the place " + point_text(place) + " is outside the field, which reaches from " +
                      point_text(field.lower) + " to " + point_text(last));
   const MoveCheck moves(problem);
-  const std::vector<Vector3d> nodes = node_way(field, moves, place);
+  std::vector<Vector3d> nodes = node_way(field, moves, place);
   if (nodes.empty())
     throw InputError("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
                      point_text(place) + ": obstacles lie between, or the steps of the lattice are too long");
+  if (!field.to_places) std::reverse(nodes.begin(), nodes.end());  // there and back may cost differently
   const std::vector<Eigen::VectorXd> route(nodes.begin(), nodes.end());
   const std::vector<Eigen::VectorXd> straight = with_shortcuts(route, moves, kNoWay, {});
   const std::vector<Vector3d> corners(straight.begin(), straight.end());
-  std::vector<Vector3d> way =
-      tightened(problem, corners, field.step.minCoeff(), Eigen::AlignedBox3d(field.lower, last));
-  if (!field.to_places) std::reverse(way.begin(), way.end());
-  return way;
+  return tightened(problem, corners, field.step.minCoeff(), Eigen::AlignedBox3d(field.lower, last));
 }
 
 }  // namespace leastcost

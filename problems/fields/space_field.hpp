@@ -26,6 +26,8 @@ struct SpaceField {
   std::vector<double> values;                       ///< x fastest, then y; NaN: no path
   std::vector<Eigen::VectorXd> places;              ///< the costs are from, or to, the nearest of these; coordinates
   bool to_places = false;                           ///< ways are walked to them
+  bool directed = false;                            ///< there and back may differ
+  std::string method;                               ///< "isotropic march" or "arrival field"
   double error = std::numeric_limits<double>::quiet_NaN();       ///< as CostField::error
   double mean_error = std::numeric_limits<double>::quiet_NaN();  ///< as CostField::mean_error
   std::size_t unresolved = 0;                                    ///< as CostField::unresolved
@@ -49,9 +51,10 @@ struct SpaceField {
 bool is_in_space(const Problem& problem);
 
 /// The least cost from the nearest of some places (at least one) to every node, in a box of space and among its
-/// obstacles, for costs that are the same in all directions (SpaceMarch). Without a resolution the longest side has 80
-/// steps. The box is found as in costs_from(). Throws InputError for other domains and costs, for places outside and
-/// those that no path leaves; OptionError ("resolution"); Interrupted.
+/// obstacles, for costs that are the same in all directions (SpaceMarch), metrics and the time in winds weaker than the
+/// speed (SpaceArrival). Without a resolution the longest side has 80 steps, 40 if the direction counts. The box is
+/// found as in costs_from(). Throws InputError for other domains and costs, for places outside and those that no path
+/// leaves; OptionError ("resolution"); Interrupted.
 SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& places,
                             const CostFieldOptions& options = {}, const Monitor& monitor = {});
 

@@ -186,10 +186,7 @@ void bind_field(py::module_& module) {
       .def("errors", &errors)
       .def("method", [](const Field& made) { return app::method_of(made.field); })
       .def("unit", [](const Field& made) { return unit_of_cost(made.field.problem()); })
-      .def("directed",
-           [](const Field& made) {
-             return made.field.nodes() == app::FieldNodes::plane && made.field.lattice().directed;
-           })
+      .def("directed", [](const Field& made) { return app::is_directed(made.field); })
       .def("is_corridor", [](const Field& made) { return made.field.is_corridor(); })
       .def("way", &way, "to"_a)
       .def("corridor", &corridor, "to"_a)

@@ -88,6 +88,28 @@ TEST_CASE("field command: several places, ways, corridors and the summary") {
   CHECK_THAT(content(out), Contains("\n1,2,0\n") && Contains("\n1,0,2\n"));  // not to the configuration's own target
 }
 
+TEST_CASE("field command: a wind in space") {
+  const ScratchDir dir;
+  const std::string config =
+      text_file(dir / "wind.yaml", R"(manifold: {type: euclidean, lower: [0, 0, 0], upper: [4, 2, 2]}
+cost: {type: zermelo, speed: 1, flow: {type: uniform, velocity: [0.5, 0, 0]}}
+)");
+  const auto field = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"field", config, "--from", "1,1,1", "--to", "3,1,1", "--resolution", "0.25"};
+    words.insert(words.end(), more.begin(), more.end());
+    return call(words);
+  };
+  const Called there = field({"-o", (dir / "f.vti").string(), "--format", "json"});
+  REQUIRE(there.exit == 0);
+  const Json out = Json::parse(there.out);
+  CHECK(out["method"] == "arrival field");
+  CHECK(out["directed"] == true);
+  CHECK(out["ways"][0]["cost"] == Approx(2 / 1.5));
+  const Called back = field({"-o", (dir / "f.npy").string(), "--to-here"});
+  CHECK(back.exit == 0);
+  CHECK_THAT(back.out, Contains("17 x 9 x 9 nodes") && Contains("these are costs of reaching the place"));
+}
+
 TEST_CASE("field command: the error of a narrow box is estimated too") {
   const ScratchDir dir;
   const std::string config =
