@@ -48,6 +48,11 @@ function(leastcost_warnings target)
   endif()
 endfunction()
 
+# Nothing reads errno after a function of <cmath>, or floating-point flags: roots in line, a tenth of a proof's time.
+function(leastcost_arithmetic target)
+  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
+endfunction()
+
 # Sets `result` to the sources in folders and to files named without their ending, each relative to this folder.
 function(leastcost_parts result)
   set(sources "")
@@ -89,8 +94,7 @@ function(leastcost_library name)
   target_include_directories(${target} PUBLIC
     $<BUILD_INTERFACE:${LEASTCOST_INCLUDE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   leastcost_internal(${target})
-  # Nothing reads errno after a function of <cmath>, or floating-point flags: roots in line, a tenth of a proof's time.
-  target_compile_options(${target} PRIVATE -fno-math-errno -fno-trapping-math)
+  leastcost_arithmetic(${target})
   target_link_libraries(${target} PUBLIC Eigen3::Eigen)
   foreach(need IN LISTS arg_NEEDS)
     target_link_libraries(${target} PUBLIC leastcost::${need})

@@ -141,9 +141,7 @@ bool has_gaps(const Raster& raster, bool covered, const Problem& problem) {
 }
 
 /// `turned`: the latitude is first, and upward in a picture.
-Eigen::Vector2d drawn_at(const Eigen::VectorXd& u, bool turned) {
-  return turned ? Eigen::Vector2d(u[1], u[0]) : Eigen::Vector2d(u[0], u[1]);
-}
+Eigen::Vector2d drawn_at(const Eigen::VectorXd& u, bool turned) { return {u[turned ? 1 : 0], u[turned ? 0 : 1]}; }
 
 Points line_of(const FieldWay& way, bool turned) {
   Points line(2, static_cast<Index>(way.points.size()));

@@ -152,7 +152,9 @@ struct ExactSearch::Workspace::Parts {
     if (std::isinf(known.result.length) && FrontBound::is_worth(*edges, straight))
       known.know(likely_path(source, target, stop));
     if (std::isinf(known.result.length) || !(straight < kStraight * known.result.length)) return nullptr;
-    fronts.aim(from, to, known.result.length, LowerBound(*edges, &from, landmarks), stop);
+    const LowerBound back(*edges, &from, landmarks);
+    fronts.aim(
+        from, to, known.result.length, [&back](std::int32_t v) { return back.from_vertex(v); }, stop);
     return fronts.helps() ? &fronts : nullptr;
   }
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The leastcost authors
 // SPDX-License-Identifier: MIT
 #include "problems/exact/front_bound.hpp"
-#include "problems/exact/lower_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +28,7 @@ bool FrontBound::is_worth(const HalfEdges& mesh, double length) {
   return length >= kWorth * kLeastStep * mesh.mean_edge();
 }
 
-void FrontBound::aim(const EndPoint& source, const EndPoint& target, double upper, const LowerBound& to_source,
+void FrontBound::aim(const EndPoint& source, const EndPoint& target, double upper, const FromVertex& to_source,
                      const std::function<bool()>& stop) {
   ++query_;
   count_ = 0;
@@ -112,7 +111,7 @@ void FrontBound::each_edge(std::int32_t v, const Visit& visit) const {
 }
 
 /// Of the vertices of this level; those that turn out to be too far from the ends are taken away.
-void FrontBound::make_front(std::int32_t level, const LowerBound& to_source) {
+void FrontBound::make_front(std::int32_t level, const FromVertex& to_source) {
   if (static_cast<std::size_t>(count_) == fronts_.size()) fronts_.emplace_back();
   Front& front = fronts_[static_cast<std::size_t>(count_)];
   const std::size_t begin = begin_of(level), end = end_of(level);
@@ -120,7 +119,7 @@ void FrontBound::make_front(std::int32_t level, const LowerBound& to_source) {
   for (std::size_t i = begin; i < end; ++i) {
     const Eigen::Vector3d& p = mesh_->position(met_[i]);
     at_front_.push_back(before() != nullptr ? before()->through(p - target_) : straight(p));
-    if (is_apart(met_[i], at_front_.back().bound - rounding_ + to_source.from_vertex(met_[i])))
+    if (is_apart(met_[i], at_front_.back().bound - rounding_ + to_source(met_[i])))
       vertices_[static_cast<std::size_t>(met_[i])].level = kApart;
   }
   double all = 0;

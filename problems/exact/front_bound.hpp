@@ -17,8 +17,6 @@
 
 namespace leastcost {
 
-class LowerBound;
-
 /// Lower bounds of what is left to the target of a query, for paths that are shorter than one that is known
 /// (docs/numerics.md Sec. 5.4). A front is the vertices at so many edges from the target, and the edges between them. A
 /// path from outside crosses all fronts, one after the other, and from one to the next it is no shorter than the
@@ -26,13 +24,16 @@ class LowerBound;
 /// those at a front. Keeps its memory. Lengths in length units.
 class FrontBound {
  public:
+  /// Of every path from a vertex to an end, at least.
+  using FromVertex = std::function<double(std::int32_t)>;
+
   explicit FrontBound(const HalfEdges& mesh);
 
   /// Whether fronts gain more than they take, for a way of this length.
   static bool is_worth(const HalfEdges& mesh, double length);
   /// Makes the fronts around the target. The bounds hold for paths from the source that are shorter than `upper`;
   /// `to_source` bounds how far it is back to the source. None where somebody asks to stop; empty: nobody.
-  void aim(const EndPoint& source, const EndPoint& target, double upper, const LowerBound& to_source,
+  void aim(const EndPoint& source, const EndPoint& target, double upper, const FromVertex& to_source,
            const std::function<bool()>& stop = {});
   /// Of every path through v: `upper` or more where no path that counts comes by; 0 near the target.
   double from_vertex(std::int32_t v);
@@ -54,7 +55,7 @@ class FrontBound {
   void start(const EndPoint& target);
   void spread(std::int32_t level);
   bool is_apart(std::int32_t v, double sum) const;
-  void make_front(std::int32_t level, const LowerBound& to_source);
+  void make_front(std::int32_t level, const FromVertex& to_source);
   template <class Visit>
   void each_edge(std::int32_t v, const Visit& visit) const;
   void add_edges(Front& front, std::int32_t v, const Front::Least& least);

@@ -88,7 +88,8 @@ TEST_CASE("fronts: no bound is above the length of a path that counts") {
     if (std::isinf(length)) continue;
     const ExactDistances there = search.distances(source, workspace), back = search.distances(target, workspace);
     const double upper = length * (1 + std::vector<double>{1e-12, 0.02, 0.5}[static_cast<std::size_t>(k % 3)]);
-    fronts.aim(from, to, upper, LowerBound(edges, &from, nullptr));
+    const LowerBound back(edges, &from, nullptr);
+    fronts.aim(from, to, upper, [&](std::int32_t v) { return back.from_vertex(v); });
     const LowerBound straight(edges, &to, nullptr);
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const std::size_t i = static_cast<std::size_t>(v);
@@ -132,7 +133,8 @@ TEST_CASE("fronts: on a sphere they come near to the distance where the straight
   const double length = all.distance[static_cast<std::size_t>(far)];
   FrontBound fronts(edges);
   const EndPoint from = end_point(edges, vertex_point(mesh, far)), to = end_point(edges, vertex_point(mesh, 0));
-  fronts.aim(from, to, length * (1 + 1e-9), LowerBound(edges, &from, nullptr));
+  const LowerBound back(edges, &from, nullptr);
+  fronts.aim(from, to, length * (1 + 1e-9), [&](std::int32_t v) { return back.from_vertex(v); });
   CHECK((mesh.position(far) - mesh.position(0)).norm() < 0.65 * length);
   CHECK(fronts.from_vertex(far) > 0.97 * length);
 }
