@@ -88,6 +88,7 @@ Diagnostics errors_in(const std::string& file, const std::vector<Override>& over
     if (loaded.errors.empty())
       for (const MissingFile& missing : missing_files(loaded))
         loaded.errors.error(missing.named, missing.file + ": no such file");
+    if (!loaded.errors.empty()) return loaded.errors;
     beside.not_checked = files_of(loaded.config);
     beside.word = word_on_default(loaded) + word_on_files(beside.not_checked, "run");
     return loaded.errors;

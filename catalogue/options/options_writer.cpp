@@ -146,6 +146,7 @@ void OptionsWriter::plugins(std::string_view key, std::optional<PluginList>& val
   ConfigNode list;
   list.kind = ConfigNode::Kind::list;
   for (const PluginChoice& choice : *value) {
+    if (!choice) continue;  // a fault of the configuration that was reported
     ConfigNode node = written(choice);
     list.items.push_back(node.entries.size() == 1 ? node.entries.front().value : std::move(node));
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "catalogue/output/unit_of_cost.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,9 @@ std::string unit_of_cost(const Problem& problem) {
   if (unit != "length" || earth == nullptr || from.size() == 0 || from.size() != to.size()) return unit;
   constexpr double kPart = 1e-3;  // of the way: nearby, and far above rounding
   Points u(from.size(), 2);
-  u << from, from + kPart * (to - from);
+  Eigen::VectorXd way = to - from;
+  if (way.isZero()) way[0] = std::max(1.0, from.cwiseAbs().maxCoeff());  // a field from one place
+  u << from, from + kPart * way;
   const double metres = metres_between(earth->longitude_latitude(u.col(0)), earth->longitude_latitude(u.col(1)));
   const Points x = positions(*problem.manifold, {u, {}, true});
   const bool known = metres > 0 && (are_metres((x.col(1) - x.col(0)).norm(), metres) ||

@@ -282,7 +282,8 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
 }
 
 bool are_one_place(const Problem& problem) {
-  if (problem.source.u == problem.target.u) return true;
+  // Two vertices may have one position, as those of a slit without width: their faces tell them apart.
+  if (problem.source.u == problem.target.u) return problem.source.site == problem.target.site;
   const auto* domain = find_ability<HasImages>(*problem.manifold);
   return domain != nullptr && ends_are_one_point(problem) && !domain->states_way(problem.target.u, problem.source.u);
 }

@@ -38,6 +38,7 @@ void leave_singular_sides(const HasChart& chart, ChartBox& box) {
 /// Between two poles, or on from one.
 void end_at_poles(const HasChart& chart, ChartBox& box) {
   const std::vector<SeamMap>& poles = chart.poles();
+  box.poles = poles;
   for (int c = 0; c < 2; ++c) {
     double least = kOpen, most = -kOpen;
     for (const SeamMap& pole : poles)
@@ -172,11 +173,26 @@ std::vector<double> LaidOut::unfolded(const std::vector<double>& values) const {
 }
 
 Eigen::VectorXd in_period(const IsotropicMarch::Lattice& lattice, const std::vector<Seam>& seams,
-                          const Eigen::VectorXd& place) {
-  if (seams.empty() || place.size() != 2 || !place.allFinite()) return place;
-  Eigen::VectorXd middle = (lattice.lower + lattice.place(lattice.count[0] - 1, lattice.count[1] - 1)) / 2;
-  const Eigen::VectorXi turns = nearest_image(seams, place, middle);
-  return turns.isZero() ? place : seam_map(seams, 2, turns).apply(place);
+                          const std::vector<SeamMap>& poles, const Eigen::VectorXd& place) {
+  if (place.size() != 2 || !place.allFinite()) return place;
+  const Vector2d upper = lattice.place(lattice.count[0] - 1, lattice.count[1] - 1);
+  Eigen::VectorXd named = place;
+  for (const SeamMap& pole : poles) {
+    if (pole.identity()) continue;
+    const Eigen::VectorXd image = pole.apply(named);
+    const auto beyond = [&](const Eigen::VectorXd& u, int c) {
+      return std::max({0.0, lattice.lower[c] - u[c], u[c] - upper[c]});
+    };
+    for (int c = 0; c < 2; ++c)
+      if (pole.sign[c] < 0 && beyond(image, c) < beyond(named, c)) {
+        named = image;
+        break;
+      }
+  }
+  if (seams.empty()) return named;
+  const Eigen::VectorXd middle = (lattice.lower + upper) / 2;
+  const Eigen::VectorXi turns = nearest_image(seams, named, middle);
+  return turns.isZero() ? named : seam_map(seams, 2, turns).apply(named);
 }
 
 }  // namespace leastcost

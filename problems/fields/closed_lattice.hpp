@@ -20,7 +20,8 @@ struct ChartBox {
   static constexpr double kNone = std::numeric_limits<double>::infinity();
   /// Sides that the chart has: one period along a seam, poles, edges; infinite where it says nothing.
   Eigen::Vector2d lower = Eigen::Vector2d::Constant(-kNone), upper = Eigen::Vector2d::Constant(kNone);
-  std::vector<Seam> seams = {};  ///< across which the box closes on itself; none where an edge cuts the chart open
+  std::vector<SeamMap> poles = {};  ///< places beyond a pole have another name on its near side
+  std::vector<Seam> seams = {};     ///< across which the box closes on itself; none where an edge cuts the chart open
   bool complete() const { return lower.allFinite() && upper.allFinite(); }  ///< the whole box is known
 };
 
@@ -55,8 +56,8 @@ class LaidOut {
   std::array<std::int32_t, 2> before_ = {0, 0};  ///< nodes of this lattice before those of the closed one
 };
 
-/// The name of a place in the period that a lattice covers.
+/// The name of a place in the period, and between the poles, that a lattice covers.
 Eigen::VectorXd in_period(const IsotropicMarch::Lattice& lattice, const std::vector<Seam>& seams,
-                          const Eigen::VectorXd& place);
+                          const std::vector<SeamMap>& poles, const Eigen::VectorXd& place);
 
 }  // namespace leastcost

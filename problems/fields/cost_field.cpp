@@ -210,7 +210,7 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   close_lattice(chart.seams, options.equal_steps, lattice);
   std::vector<Eigen::VectorXd> places;
   places.reserve(given.size());
-  for (const Eigen::VectorXd& place : given) places.push_back(in_period(lattice, chart.seams, place));
+  for (const Eigen::VectorXd& place : given) places.push_back(in_period(lattice, chart.seams, chart.poles, place));
   check_places(places, box);
   const Lattice2 half = every_second(lattice);
   const bool estimates = options.estimate_error && std::min(half.count[0], half.count[1]) >= 2;
@@ -218,6 +218,7 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   field.count = lattice.count, field.lower = lattice.lower, field.step = lattice.step;
   field.places = places;
   field.seams = chart.seams;
+  field.poles = chart.poles;
   field.to_places = options.to_places;
   field.directed = !problem.cost->traits().symmetric;
   const FieldMaker maker(problem, places, options.to_places, monitor);

@@ -25,6 +25,7 @@ struct CostField {
   Eigen::Vector2d step = Eigen::Vector2d::Ones();   ///< from node to node
   std::vector<double> values;                       ///< row by row, the lowest y first; NaN: no path
   std::vector<Eigen::VectorXd> places;              ///< the costs are from, or to, the nearest of these; coordinates
+  std::vector<SeamMap> poles;                       ///< beyond which a place has another name
   std::vector<Seam> seams;  ///< across which the lattice closes on itself: its ends are the same
   bool to_places = false;   ///< costs of the way to them, not from them
   bool directed = false;    ///< there and back may differ

@@ -87,6 +87,7 @@ CostField laid_out(const CostField& field) {
   const LaidOut wide({field.lower, field.step, field.count}, field.seams);
   CostField out = field;
   out.seams.clear();
+  out.poles.clear();
   out.lower = wide.lattice().lower, out.count = wide.lattice().count;
   out.values = wide.unfolded(field.values);
   out.places = wide.images(field.places);
@@ -98,7 +99,8 @@ CostField laid_out(const CostField& field) {
 std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, const Vector2d& place) {
   if (!place.allFinite()) throw InputError("field: a place needs two finite coordinates");
   if (!field.seams.empty())
-    return way_down(laid_out(field), problem, in_period({field.lower, field.step, field.count}, field.seams, place));
+    return way_down(laid_out(field), problem,
+                    in_period({field.lower, field.step, field.count}, field.seams, field.poles, place));
   const Vector2d last = field.node(field.count[0] - 1, field.count[1] - 1);
   if (((place - field.lower + field.step).array() < 0).any() || ((last + field.step - place).array() < 0).any())
     throw InputError("field: the place " + in_words(place) + " is outside the field, which reaches from " +
@@ -117,7 +119,7 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
 }
 
 double value_at(const CostField& field, const Vector2d& place) {
-  const Vector2d named = in_period({field.lower, field.step, field.count}, field.seams, place);
+  const Vector2d named = in_period({field.lower, field.step, field.count}, field.seams, field.poles, place);
   const Vector2d at = (named - field.lower).cwiseQuotient(field.step);
   const auto low = [&](std::size_t d) {
     return static_cast<std::int32_t>(

@@ -137,6 +137,10 @@ TEST_CASE("command line: validate") {
   const std::string good = write_text(dir / "good.yaml", kPlane),
                     bad = write_text(dir / "bad.yaml", kPlane + "nmae: x\n");
   CHECK(call({"validate", good}).out == good + ": valid\n");
+  for (const char* fault : {"obstacles=[bal]", "obstacles=[3]", "post_process=[trac]"}) {
+    CAPTURE(fault);
+    CHECK(call({"validate", good, "--set", fault}).exit == 3);
+  }
   const Called both = call({"validate", good, bad});
   CHECK(both.exit == 3);
   CHECK(both.err ==

@@ -110,6 +110,25 @@ cost: {type: zermelo, speed: 1, flow: {type: uniform, velocity: [0.5, 0, 0]}}
   CHECK_THAT(back.out, Contains("17 x 9 x 9 nodes") && Contains("these are costs of reaching the place"));
 }
 
+TEST_CASE("field command: ways over a pole, to places by any of their names, in metres") {
+  const ScratchDir dir;
+  const std::string earth = text_file(dir / "earth.yaml", "manifold: {type: earth}\ncost: euclidean\n");
+  const auto field = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all = {"field", earth, "-o", (dir / "f.csv").string(), "--format", "json"};
+    all.insert(all.end(), more.begin(), more.end());
+    return call(all);
+  };
+  // Half a meridian is 20003931 m.
+  const Called over = field({"--from", "60,0", "--to", "60,180"});
+  REQUIRE(over.exit == 0);
+  const Json summary = Json::parse(over.out);
+  CHECK(summary["ways"][0]["cost"].get<double>() == Approx(6.695e6).epsilon(0.006));
+  CHECK(field({"--from", "0,0", "--to", "0,180", "--to-here"}).exit == 0);
+  const Called one = field({"--from", "51.5,-0.1"});
+  REQUIRE(one.exit == 0);
+  CHECK(Json::parse(one.out)["unit"] == "m");
+}
+
 TEST_CASE("field command: the error of a narrow box is estimated too") {
   const ScratchDir dir;
   const std::string config =

@@ -88,8 +88,8 @@ TEST_CASE("fronts: no bound is above the length of a path that counts") {
     if (std::isinf(length)) continue;
     const ExactDistances there = search.distances(source, workspace), back = search.distances(target, workspace);
     const double upper = length * (1 + std::vector<double>{1e-12, 0.02, 0.5}[static_cast<std::size_t>(k % 3)]);
-    const LowerBound back(edges, &from, nullptr);
-    fronts.aim(from, to, upper, [&](std::int32_t v) { return back.from_vertex(v); });
+    const LowerBound to_source(edges, &from, nullptr);
+    fronts.aim(from, to, upper, [&](std::int32_t v) { return to_source.from_vertex(v); });
     const LowerBound straight(edges, &to, nullptr);
     for (std::int32_t v = 0; v < mesh.vertex_count(); ++v) {
       const std::size_t i = static_cast<std::size_t>(v);
