@@ -50,7 +50,7 @@ void check(const Problem& problem) {
   if (!problem.ring || problem.based) check_end(problem.source, "source", dims.coordinate);
   if (problem.ring) return;
   check_end(problem.target, "target", dims.coordinate);
-  if (problem.source.u == problem.target.u && !problem.based)
+  if (problem.source.u == problem.target.u && problem.source.site == problem.target.site && !problem.based)
     throw InputError("source and target coincide at " + point_text(problem.source.u, 17) +
                      "; for a closed path, use a ring (path.ring: true)");
 }

@@ -77,10 +77,11 @@ TEST_CASE("pairs: two vertices at one position, on the lips of a slit, are two p
   const ScratchDir dir;
   put(dir / "slit.off", "OFF\n6 4 0\n0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n2 0 0\n3 0 2 3\n3 2 5 3\n3 1 4 2\n3 4 5 2\n");
   const std::string config = "manifold: {type: mesh, file: " + (dir / "slit.off").string() +
-                             "}\ncost: euclidean\nends: {source: {vertex: 0}, target: {vertex: 4}}\n";
-  run_pairs_of(dir, config, "source,target\n0,1\n0,0\n", {"--format", "jsonl"});
+                             "}\ncost: euclidean\nends: {pairs: pairs.csv}\n";
+  run_pairs_of(dir, config, "source,target\n0,1\n0,0\n");
   const std::vector<Json> lines = lines_of(dir / "out");
   REQUIRE(lines.size() == 2);
+  CAPTURE(lines[0].dump());
   CHECK(lines[0]["cost"].get<double>() == Approx(2).epsilon(1e-9));
   CHECK(lines[1]["cost"].get<double>() == 0);
 }
