@@ -21,6 +21,7 @@ class ChartMap {
   virtual Eigen::Vector3d position(const Eigen::Vector2d& u) const = 0;  ///< place in space of coordinates
   /// The same with the columns dx/du, dx/dv.
   virtual Eigen::Vector3d position(const Eigen::Vector2d& u, Eigen::Matrix<double, 3, 2>& jacobian) const = 0;
+  /// Columns dx/du, dx/dv alone.
   Eigen::Matrix<double, 3, 2> jacobian(const Eigen::Vector2d& u) const {
     Eigen::Matrix<double, 3, 2> j;
     position(u, j);
