@@ -387,6 +387,7 @@ TEST_CASE("exact: distances with several sources, a limit and budgets that are s
     for (const ExactDistances* some : {&near, &spent, &full}) {
       CHECK(some->at_least[v] <= truth + rounding);
       CHECK(some->at_most[v] >= truth - rounding);
+      // The faces are divided into coplanar ones: windows that are joined there are as loose as the loosest of them.
       if (truth < some->seen_to * (1 - 1e-9)) CHECK(some->at_most[v] - some->at_least[v] <= 10 * rounding);
       not_reached += std::isinf(some->at_most[v]) ? 1 : 0;
     }
