@@ -76,8 +76,8 @@ double around_disc(double distance) { return 2 * (std::sqrt(distance * distance 
 TEST_CASE("pairs: two vertices at one position, on the lips of a slit, are two places") {
   const ScratchDir dir;
   put(dir / "slit.off", "OFF\n6 4 0\n0 0 0\n0 0 0\n1 0 0\n0 1 0\n0 -1 0\n2 0 0\n3 0 2 3\n3 2 5 3\n3 1 4 2\n3 4 5 2\n");
-  const std::string config = "manifold: {type: mesh, file: " + (dir / "slit.off").string() +
-                             "}\ncost: euclidean\nends: {pairs: pairs.csv}\n";
+  const std::string config =
+      "manifold: {type: mesh, file: " + (dir / "slit.off").string() + "}\ncost: euclidean\nends: {pairs: pairs.csv}\n";
   run_pairs_of(dir, config, "source,target\n0,1\n0,0\n");
   const std::vector<Json> lines = lines_of(dir / "out");
   REQUIRE(lines.size() == 2);
