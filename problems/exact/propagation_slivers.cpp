@@ -16,6 +16,10 @@ namespace {
 
 constexpr double kSliver = 1e-9;    // of the edge: a window no wider than this may be a sliver
 constexpr double kRoundings = 256;  // by which a kept sliver is wider and less certain: some fifteen faces' worth
+// A lattice with noise has slivers that differ by more: after the first few of one root over an edge, each is wider
+// than the one before by this factor, up to this share of the distance.
+constexpr int kFew = 4;
+constexpr double kWider = 1.5, kMostWider = 1e-12;
 
 }  // namespace
 
@@ -37,12 +41,17 @@ bool Propagation<Real>::stands_for(const Window<Real>& kept, const Window<Real>&
 template <class Real>
 bool Propagation<Real>::merged(std::int32_t h, const Real& length, Window<Real>& w) {
   EdgeState& state = edge(h);
-  for (std::int32_t i = state.slivers; i >= 0; i = slivers_[at(i)].next)
+  int kept = 0;  // of the same root
+  for (std::int32_t i = state.slivers; i >= 0; i = slivers_[at(i)].next) {
     if (stands_for(slivers_[at(i)].window, w)) return true;
+    kept += slivers_[at(i)].window.root == w.root ? 1 : 0;
+  }
 
   const double x = value(w.x), height = value(w.height), begin = value(w.begin), end = value(w.end);
   const double aside = std::max({0.0, begin - x, x - end}), distance = std::max(aside, height);
-  const double more = kRoundings * kRoundingOf<Real> * (std::abs(x) + height + value(length));
+  const double least = kRoundings * kRoundingOf<Real>;
+  const double share = kept <= kFew ? least : std::clamp(least * std::pow(kWider, kept - kFew), least, kMostWider);
+  const double more = share * (std::abs(x) + height + value(length));
   if (!(more < kSliver * distance)) return false;  // the root is as near as that
   w.error += more;
   w.turned += more;
