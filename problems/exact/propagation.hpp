@@ -14,6 +14,7 @@
 #include "problems/exact/large_pages.hpp"
 #include "problems/exact/lower_bound.hpp"
 #include "problems/exact/propagation_parts.hpp"
+#include "problems/exact/sliver_table.hpp"
 #include "problems/exact/window.hpp"
 #include "problems/exact/window_queue.hpp"
 
@@ -148,7 +149,7 @@ class Propagation {
   };
   LargeVector<Slot> slots_;
   LargeVector<EdgeState> edges_;  // of those that windows of this query came to
-  std::vector<Sliver<Real>> slivers_;
+  SliverTable<Real> slivers_;
   LargeVector<Window<Real>> pool_;  // those that wait; a place is used again once its window is taken
   std::vector<std::int32_t> free_;  // such places
   LargeVector<Taken> taken_;        // where paths are asked for

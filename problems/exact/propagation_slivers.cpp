@@ -18,7 +18,7 @@ constexpr double kSliver = 1e-9;    // of the edge: a window no wider than this 
 constexpr double kRoundings = 256;  // by which a kept sliver is wider and less certain: some fifteen faces' worth
 // A lattice with noise has slivers that differ by more: after the first few of one root over an edge, each is wider
 // than the one before by this factor, up to this share of the distance.
-constexpr int kFew = 4;
+constexpr int kFew = 16;
 constexpr double kWider = 1.5, kMostWider = 1e-12;
 
 }  // namespace
@@ -40,12 +40,10 @@ bool Propagation<Real>::stands_for(const Window<Real>& kept, const Window<Real>&
 /// Of a sliver over the edge of h: true where one before stands for it. Else it is made to stand for those to come.
 template <class Real>
 bool Propagation<Real>::merged(std::int32_t h, const Real& length, Window<Real>& w) {
-  EdgeState& state = edge(h);
-  int kept = 0;  // of the same root
-  for (std::int32_t i = state.slivers; i >= 0; i = slivers_[at(i)].next) {
-    if (stands_for(slivers_[at(i)].window, w)) return true;
-    kept += slivers_[at(i)].window.root == w.root ? 1 : 0;
-  }
+  const std::int32_t first = slivers_.first(h, w.root);
+  int kept = 0;
+  for (std::int32_t i = first; i >= 0; i = slivers_[i].next, ++kept)
+    if (stands_for(slivers_[i].window, w)) return true;
 
   const double x = value(w.x), height = value(w.height), begin = value(w.begin), end = value(w.end);
   const double aside = std::max({0.0, begin - x, x - end}), distance = std::max(aside, height);
@@ -60,13 +58,12 @@ bool Propagation<Real>::merged(std::int32_t h, const Real& length, Window<Real>&
   w.rise += 2 * more;
   w.spread += 2 * more / distance;
 
-  for (std::int32_t i = state.slivers; i >= 0; i = slivers_[at(i)].next)
-    if (stands_for(w, slivers_[at(i)].window)) {
-      slivers_[at(i)].window = w;
+  for (std::int32_t i = first; i >= 0; i = slivers_[i].next)
+    if (stands_for(w, slivers_[i].window)) {
+      slivers_[i].window = w;
       return false;
     }
-  slivers_.push_back({w, state.slivers});
-  state.slivers = static_cast<std::int32_t>(slivers_.size()) - 1;
+  slivers_.add(h, w);
   return false;
 }
 

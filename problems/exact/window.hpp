@@ -69,15 +69,6 @@ struct EdgeState {
   /// far side of the better one's ray (Chen and Han 1990).
   double apex_at_most = std::numeric_limits<double>::infinity(), apex_crossing = 0, apex_margin = 0;
   std::int32_t waiting = -1;  ///< the last window that entered over the edge, by its place in memory, or -1
-  std::int32_t slivers = -1;  ///< first of the slivers that entered over the edge, or -1
-};
-
-/// A window no wider than rounding, beside an end of an edge, with what makes it stand for others that differ from it
-/// by less than that.
-template <class Real>
-struct Sliver {
-  Window<Real> window;
-  std::int32_t next = -1;  ///< of the same edge, or -1
 };
 
 /// Faults on purpose, for tests that must find them.

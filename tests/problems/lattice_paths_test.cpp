@@ -212,4 +212,44 @@ TEST_CASE("exact: distances over a flat grid are those of the plane, for a jitte
   }
 }
 
+/// Every other vertex is a root, whose windows are as narrow as what the noise adds to a full turn, about 1e-12, along
+/// rays through all vertices of the lattice.
+TEST_CASE("exact: a lattice with little noise takes few more windows than one with more") {
+  const int n = kSanitized ? 20 : 60;
+  const auto noisy = [&](double noise) {
+    Random random(7);
+    PolygonSoup soup;
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) soup.positions.emplace_back(i, j, noise * random.normal());
+    for (int j = 0; j + 1 < n; ++j)
+      for (int i = 0; i + 1 < n; ++i) {
+        const int a = j * n + i, b = a + 1, d = a + n, c = d + 1;
+        add_polygon(soup, {a, b, c});
+        add_polygon(soup, {a, c, d});
+      }
+    return TriangleMesh(soup);
+  };
+  const auto distances = [](const TriangleMesh& mesh) {
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    return search.distances(vertex_point(mesh, 0), workspace, {.max_windows = 5'000'000});
+  };
+  const std::int64_t usual = distances(noisy(1e-5)).windows;
+  for (const double noise : {1e-7, 3e-7, 1e-6, 3e-6}) {
+    CAPTURE(noise);
+    const TriangleMesh mesh = noisy(noise);
+    const ExactDistances all = distances(mesh);
+    REQUIRE(all.complete);
+    CHECK(all.windows < 3 * usual);
+    for (std::int32_t v = 1; v < mesh.vertex_count(); ++v) {
+      const double straight = (mesh.position(v) - mesh.position(0)).norm();
+      const std::size_t i = static_cast<std::size_t>(v);
+      // Over noise of z no path is longer than its own plan by more than the slopes' squares.
+      if (!(all.at_most[i] >= straight * (1 - 1e-15) && all.at_least[i] <= straight * (1 + 10 * noise * noise) &&
+            all.at_most[i] - all.at_least[i] < 1e-10 * straight))
+        FAIL_CHECK("vertex " << v);
+    }
+  }
+}
+
 }  // namespace leastcost::test
