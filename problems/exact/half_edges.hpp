@@ -53,6 +53,12 @@ class HalfEdges {
   std::int32_t across(std::int32_t h) const { return across_[at(h)]; }
   const Eigen::Vector3d& position(std::int32_t v) const { return mesh_->position(v); }
   const Side<double>& side(std::int32_t h) const { return sides_[at(h)]; }
+  /// Two corners of the face are at one place.
+  bool is_needle(std::int32_t face) const {
+    return position(tail(3 * face)) == position(tail(3 * face + 1)) ||
+           position(tail(3 * face + 1)) == position(tail(3 * face + 2)) ||
+           position(tail(3 * face + 2)) == position(tail(3 * face));
+  }
   VertexKind kind(std::int32_t v) const { return kind_[at(v)]; }
   /// Sum of the corner angles of the fan (not of a joint).
   double angle(std::int32_t v) const { return angle_[at(v)]; }

@@ -167,8 +167,8 @@ void Propagation<Real>::start_in_face(const EndPoint& source, std::int32_t face)
       direction = corner.forward ? corner.begin + angle : corner.end - angle;
       slack = 2 * source.error / straight + 16 * kEpsilon + mesh_->turn_error(v);
     }
-    reach(v, {straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, straight}, -1,
-          -1, direction, slack);
+    reach(v, {straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, straight, 0},
+          -1, -1, direction, slack);
     if (source.edge >= 0 && same_ends(*mesh_, h, source.edge)) continue;
     if (!(s.length > 0) || !(s.y > 0)) {
       block(rest(v) - straight);

@@ -114,6 +114,7 @@ class Propagation {
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t waiting);
+  bool cross_needle(const Window<Real>& w, std::int32_t id);
   void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
   double around_ends(const Exit& exit, const Real& b0, const Real& b1, double wider0, double wider1,
                      const Window<Real>& w, const Window<Real>& next) const;
@@ -121,9 +122,10 @@ class Propagation {
                     const exact::PlanePoint& corner) const;
   void see_corner(const Window<Real>& w, std::int32_t id, double distance);
   void see_target(const Window<Real>& w, std::int32_t id);
-  /// What paths to v came to: bounds of the length, and the length but for a few roundings.
+  /// What paths to v came to: bounds of the length, the length but for a few roundings, and what no path to the vertex
+  /// before is shorter than. No path to v is shorter than that either, however near it is.
   struct Found {
-    double at_least, at_most, about;
+    double at_least, at_most, about, before;
   };
   void reach(std::int32_t v, const Found& found, std::int32_t window, std::int32_t vertex, double direction,
              double slack);

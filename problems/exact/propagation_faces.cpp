@@ -140,11 +140,11 @@ void Propagation<Real>::propagate(std::int32_t waiting) {
   const std::int32_t h = w.halfedge;
   const std::int32_t to_right = TriangleMesh::next(h), to_left = TriangleMesh::previous(h);
   const Side<Real> s = side(h);
+  if (target_ != nullptr && target_->vertex < 0) see_target(w, id);
   if (!(value(s.y) > 0)) {
-    block((w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error);
+    if (!cross_needle(w, id)) block((w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error);
     return;
   }
-  if (target_ != nullptr && target_->vertex < 0) see_target(w, id);
 
   // Where the line from the image to the third corner crosses the edge, and how far rounding may have moved that.
   const double height = value(w.height), y = value(s.y);
@@ -197,6 +197,24 @@ void Propagation<Real>::propagate(std::int32_t waiting) {
     const Exit exit{to_right, b, c, a, length, s.back * per_length, s.y * per_length, s.length};
     leave(exit, s.length - w.end, s.length - w.begin, after_begin > -margin, mirrored, id);
   }
+}
+
+/// A face with two corners at one place has no inside: its two other sides are one segment, and what enters over one of
+/// them leaves over the other at the same place. What goes round through the corners goes along edges. False for other
+/// faces without height, and beside an edge of three faces, where needles could go round in a circle.
+template <class Real>
+bool Propagation<Real>::cross_needle(const Window<Real>& w, std::int32_t id) {
+  const std::int32_t h = w.halfedge, to_right = TriangleMesh::next(h), to_left = TriangleMesh::previous(h);
+  const std::int32_t a = mesh_->tail(h), b = mesh_->head(h), c = mesh_->tail(to_left);
+  const bool with_head = mesh_->position(c) == mesh_->position(b);
+  if (!with_head && mesh_->position(c) != mesh_->position(a)) return false;
+  const std::int32_t exit = with_head ? to_left : to_right;
+  if (mesh_->across(h) < 0 || mesh_->across(exit) == TriangleMesh::kNonManifold) return false;
+  Window<Real> next = w;
+  next.parent = id;
+  next.parts = -1;
+  add(exit, mesh_->tail(exit) == (with_head ? a : c), next);
+  return true;
 }
 
 /// The part [b0, b1] of the edge entered, seen on through one exit. `to_far`: b1 goes beyond the third corner.
@@ -310,7 +328,7 @@ void Propagation<Real>::see_corner(const Window<Real>& w, std::int32_t id, doubl
     slack = 2 * (w.error + w.turned) / distance + w.spread + 2 * kSideError * kEpsilon + mesh_->turn_error(v);
   }
   const double to_root = w.root < 0 ? 0 : reach_[at(w.root)].about;
-  reach(v, {least, most, to_root + distance}, id, -1, direction, slack);
+  reach(v, {least, most, to_root + distance, w.sigma}, id, -1, direction, slack);
 }
 
 /// The target inside the face that is entered, or on one of its edges.

@@ -31,7 +31,7 @@ void Propagation<Real>::reach_target(double at_least, double at_most, std::int32
 template <class Real>
 void Propagation<Real>::reach(std::int32_t v, const Found& found, std::int32_t window, std::int32_t vertex,
                               double direction, double slack) {
-  const double at_least = found.at_least, at_most = found.at_most;
+  const double at_least = std::max(found.at_least, found.before), at_most = found.at_most;
   VertexReach& reach = touch(v);
   if (at_least > reach.at_most) return;
   reach.about = std::min(reach.about, found.about);
@@ -60,7 +60,8 @@ void Propagation<Real>::reach(std::int32_t v, const Found& found, std::int32_t w
     guide(v).at_most = reach.at_most = std::min(reach.at_most, at_most);
     return;
   }
-  const double lowered = at_least - kCushion * at_most;
+  // Else two vertices at one place would lower each other again and again.
+  const double lowered = std::max(at_least - kCushion * at_most, found.before);
   const bool everywhere = kind == VertexKind::joint || !(slack < 1);
   const bool first = !(reach.at_most < kInfinity);
   if (first || better) {
@@ -119,6 +120,8 @@ void Propagation<Real>::fire_corner(std::int32_t v, const Corner& corner, double
   const VertexReach& reach = reach_[at(v)];
   const Side<Real> s = side(opposite);
   if (!(value(s.y) > 0) || !(value(s.length) > 0)) {
+    // Where it has no inside, all that goes on from here goes along its edges.
+    if (mesh_->is_needle(opposite / 3)) return;
     block(reach.at_least + rest(v));
     return;
   }
@@ -166,7 +169,8 @@ void Propagation<Real>::fire_edge(std::int32_t v, std::int32_t halfedge) {
   const Corner& corner = mesh_->corner(out ? TriangleMesh::next(halfedge) : halfedge);
   const double direction = out != corner.forward ? corner.begin : corner.end;
   reach(to,
-        {from.at_least + length * (1 - 8 * kEpsilon), from.at_most + length * (1 + 8 * kEpsilon), from.about + length},
+        {from.at_least + length * (1 - 8 * kEpsilon), from.at_most + length * (1 + 8 * kEpsilon), from.about + length,
+         from.at_least},
         -1, v, direction, mesh_->turn_error(to));
 }
 
