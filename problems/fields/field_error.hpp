@@ -110,10 +110,11 @@ bool is_enclosed(const Field& field) {
   return some_far;
 }
 
-/// The sum of two fields over the same nodes less its least value, with the errors of both. False: no node has a way to
-/// both.
+/// The sum of two fields over the same nodes less its least value, with the errors of both. `known`: what the cheapest
+/// way of all costs at most. It leads through no node: what the least value exceeds it by is an error too; more than
+/// the errors of the fields is taken off. False: no node has a way to both.
 template <class Field>
-bool add_field(const Field& to, Field& sum) {
+bool add_field(const Field& to, double known, Field& sum) {
   double least = std::numeric_limits<double>::infinity();
   sum.places.insert(sum.places.end(), to.places.begin(), to.places.end());
   for (std::size_t k = 0; k < sum.values.size(); ++k) {
@@ -121,9 +122,16 @@ bool add_field(const Field& to, Field& sum) {
     if (sum.values[k] < least) least = sum.values[k];
   }
   if (!(least < std::numeric_limits<double>::infinity())) return false;
-  for (double& value : sum.values) value -= least;
   sum.error += to.error;
   sum.mean_error += to.mean_error;
+  const double beside = std::max(0.0, least - known);
+  if (beside > sum.error) {
+    least = known;
+  } else {
+    sum.error += beside;
+    sum.mean_error += beside;
+  }
+  for (double& value : sum.values) value -= least;
   sum.unresolved = std::max(sum.unresolved, to.unresolved);
   return true;
 }
