@@ -82,11 +82,12 @@ void count_free_nodes(const std::vector<double>& densities, const Place& place, 
     if (densities[k] == 0 && field.free_nodes++ == 0) field.free_at = place(k);
 }
 
-/// Whether no node farther than a few steps from the places is reached, though there are some.
+/// Whether no node farther than a few steps from the places is reached, though there are some; or none farther than one
+/// step, where a lattice is too small for that.
 template <std::size_t D, class Field>
 bool is_enclosed(const Field& field) {
-  constexpr double kNear = 5;  // steps; paths leave a place straight for the nodes within 3.5
-  bool some_far = false;
+  constexpr double kNear = 5, kBeside = 1;  // steps; paths leave a place straight for the nodes within 3.5
+  bool some_far = false, some_beside = false, left = false;
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     std::size_t rest = i;
     double nearest = std::numeric_limits<double>::infinity();
@@ -103,11 +104,14 @@ bool is_enclosed(const Field& field) {
       }
       nearest = std::min(nearest, far);
     }
-    if (nearest <= kNear) continue;
-    if (std::isfinite(field.values[i])) return false;
-    some_far = true;
+    if (nearest <= kBeside) continue;
+    const bool reached = std::isfinite(field.values[i]);
+    if (reached && nearest > kNear) return false;
+    some_beside = true;
+    left = left || reached;
+    some_far = some_far || nearest > kNear;
   }
-  return some_far;
+  return some_far || (some_beside && !left);
 }
 
 /// The sum of two fields over the same nodes less its least value, with the errors of both. `known`: what the cheapest

@@ -248,6 +248,11 @@ TEST_CASE("field command: a field that cannot be relied on is written with a not
   const Called enclosed = call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.05"});
   CHECK(enclosed.exit == 5);
   CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place"));
+  // No node is farther than five steps from the place, and those beside it are outside of the room.
+  const Called small =
+      call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.5", "--set", "manifold.upper=[2, 2]"});
+  CHECK(small.exit == 5);
+  CHECK_THAT(small.out, Contains("1 reached") && Contains("note: no path leads farther"));
   const std::string none = (dir / "none.csv").string();
   const Called beyond = call({"field", room, "-o", none, "--from", "1,1", "--to", "3,1", "--resolution", "0.05"});
   CHECK(beyond.exit == 6);
