@@ -11,6 +11,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,6 +27,9 @@
 #include "app/figure/figure_request.hpp"
 #include "app/figure/rsvg.hpp"
 #include "catalogue/output/csv_text.hpp"
+#include "catalogue/run/run_origin.hpp"
+#include "catalogue/run/with_notes.hpp"
+#include "problems/fields/no_way.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -85,12 +89,31 @@ std::vector<FieldPlace> places_of(const std::vector<std::string>& words, const s
   return places;
 }
 
-/// Whether the file could be written; says so where it could not.
+/// Whether the file could be written; says so where it could not, and leaves no part of it.
 bool write_bytes(const std::string& file, const std::string& text, const Streams& streams) {
   std::ofstream out(file, std::ios::binary);
+  const bool opened = out.is_open();
   out << text << std::flush;
-  if (!out) streams.err << fmt::format("error: cannot write {}\n", file);
-  return static_cast<bool>(out);
+  if (out) return true;
+  out.close();
+  std::error_code ignored;
+  if (opened && std::filesystem::is_regular_file(file, ignored)) std::filesystem::remove(file, ignored);
+  streams.err << fmt::format("error: cannot write {}\n", file);
+  return false;
+}
+
+/// Throws InputError for a result that would replace a file that is read.
+void refuse_inputs(const FieldArguments& arguments, const Run& run) {
+  std::vector<std::filesystem::path> read;
+  for (const InputFile& input : run.origin->inputs) read.push_back(input.file);
+  for (const auto* words : {&arguments.from, &arguments.to}) read.insert(read.end(), words->begin(), words->end());
+  for (const auto& [option, file] : {std::pair("--output", &arguments.output), std::pair("--figure", &arguments.figure),
+                                     std::pair("--way", &arguments.ways)})
+    for (const std::filesystem::path& input : read) {
+      std::error_code ignored;
+      if (!file->empty() && std::filesystem::equivalent(*file, input, ignored))
+        throw InputError(fmt::format("{} {} would replace a file that is read: name another file", option, *file));
+    }
 }
 
 }  // namespace
@@ -106,6 +129,7 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
   for (const std::string& file : {arguments.output, arguments.figure, arguments.ways})
     if (!has_folder(file, streams)) return Exit::output;
   const Run run = load({arguments.config, arguments.overrides, {}, false, {}, {}, EndsFrom::caller});
+  refuse_inputs(arguments, run);
   const ConstraintManifold& domain = *run.parts.problem.manifold;
   check_dimension_of_field(run.parts.problem);
   const PlaceForm form{domain.dimensions().coordinate == 3 ? 3U : 2U, domain.shape() == Shape::polyhedral};
@@ -133,6 +157,8 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
       const PathEnd end = field.place(place);
       try {
         ways.push_back(field.way(end, monitor));
+      } catch (const NoWay& e) {
+        throw NoWay(fmt::format("{}: {}", place.words, e.what()));
       } catch (const InputError& e) {
         throw InputError(fmt::format("{}: {}", place.words, e.what()));
       }
@@ -149,7 +175,11 @@ Exit field_command(const FieldArguments& arguments, const Streams& streams) {
     if (!arguments.ways.empty() && !write_bytes(arguments.ways, ways_csv(field, ways), streams)) return Exit::output;
     const std::string& file = writes ? arguments.output : arguments.figure;
     streams.out << (arguments.json ? field_summary_json(field, file, ways) : field_summary_text(field, file, ways));
-    return field.on_mesh() && field.on_vertices().cut ? Exit::uncertified : Exit::certified;
+    return warnings_of(field).empty() ? Exit::certified : Exit::uncertified;
+  } catch (const NoWay& e) {
+    throw NoWay(with_notes(e.what(), run.parts.notes));
+  } catch (const InputError& e) {
+    throw InputError(with_notes(e.what(), run.parts.notes));
   } catch (const Interrupted& e) {
     streams.err << e.what() << "; nothing was written\n";
     return Exit::interrupted;

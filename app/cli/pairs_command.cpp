@@ -37,6 +37,7 @@ std::string pairs_text(const PairsOutcome& outcome) {
   if (!summary.proofs.empty()) out += fmt::format("{:<11} {}\n", "proofs", words_of(summary.proofs));
   out += spectrum_line("error", summary.errors, " of the cost");
   out += spectrum_line("seconds", summary.seconds, " s");
+  for (const std::string& note : outcome.notes) out += fmt::format("{:<11} {}\n", "note", note);
   const long done = summary.count - outcome.found;
   out += fmt::format("{:<11} read {:.3g} s, compose {:.3g} s, {} pairs {:.3g} s with {} thread{}", "time",
                      outcome.seconds.read, outcome.seconds.compose, done, outcome.seconds.search, outcome.threads,

@@ -20,6 +20,7 @@
 #include "catalogue/output/json_numbers.hpp"
 #include "catalogue/output/output_folder.hpp"
 #include "catalogue/run/run_origin.hpp"
+#include "problems/fields/no_way.hpp"
 
 namespace leastcost::app {
 namespace {
@@ -80,6 +81,8 @@ Verdict verdict_on_exception(const Streams& streams) {
     return {Exit::configuration, "configuration_error", e.what(), d.render(streams.color) + d.count() + "\n"};
   } catch (const OptionError& e) {
     return verdict(Exit::configuration, "configuration_error", said_of(in_quotes(e.key()), e.reason()));
+  } catch (const NoWay& e) {
+    return verdict(Exit::no_path, "no_path", e.what());
   } catch (const InputError& e) {
     return verdict(Exit::input, "input_error", e.what());
   } catch (const InitializationError& e) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <string>
 
 #include <leastcost/framework/base/errors.hpp>
 
@@ -14,7 +15,9 @@ namespace {
 void read_lines(std::istream& in, const std::string& file, std::vector<WrittenPlace>& places) {
   int number = 0;
   for (std::string line; std::getline(in, line);) {
-    ++number;
+    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write it
+    if (++number == 1 && line.starts_with(kByteOrderMark))
+      line.erase(0, std::char_traits<char>::length(kByteOrderMark));
     while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
     if (line.empty() || line.front() == '#') continue;
     const std::string where = fmt::format("{}:{}", file, number);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "catalogue/output/json_numbers.hpp"
@@ -72,18 +73,16 @@ Json error_json(const RunField& field) {
 
 std::string point_text(const Eigen::VectorXd& x) {
   std::string out = "(";
-  for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.6g}", i > 0 ? ", " : "", x[i]);
+  for (Eigen::Index i = 0; i < x.size(); ++i) out += fmt::format("{}{:.10g}", i > 0 ? ", " : "", x[i]);
   return out + ")";
 }
 
-/// What a user should know about the nodes of a lattice, in two coordinates or in space.
+/// Why no value of a field over a lattice, in two coordinates or in space, can be relied on.
 template <class Field>
-std::vector<std::string> remarks_on(const Field& field) {
+std::vector<std::string> warnings_on(const Field& field, double largest) {
   std::vector<std::string> all;
-  if (field.free_nodes > 0)
-    all.push_back(
-        fmt::format("a unit of length costs 0 at {} of {} nodes, the first is {}: moves between them are free",
-                    field.free_nodes, field.values.size(), point_text(field.free_at)));
+  if (field.error > largest)
+    all.emplace_back("at some nodes the error may be larger than every value: use a smaller --resolution");
   if (field.enclosed)
     all.push_back(fmt::format(
         "no path leads farther than 5 steps from the {}: obstacles or places without a cost enclose {}, or gaps are "
@@ -92,86 +91,121 @@ std::vector<std::string> remarks_on(const Field& field) {
   return all;
 }
 
-std::vector<std::string> remarks_of(const RunField& field) {
-  if (field.in_space()) return remarks_on(field.space());
-  if (field.on_mesh()) {
-    const auto reached = extent_of(field.values()).reached;
-    if (reached > field.places().size() || field.values().size() <= reached) return {};
-    return {"no path leads farther than the place itself: its part of the mesh has no other vertex"};
-  }
-  const CostField& lattice = field.lattice();
-  std::vector<std::string> all = remarks_on(lattice);
+std::vector<std::string> warnings_on_mesh(const RunField& of) {
+  const MeshField& field = of.on_vertices();
+  const Extent extent = extent_of(field.values);
+  std::vector<std::string> all;
+  if (field.cut)
+    all.emplace_back(
+        "memory ran out, or paths run over faces without height: some values are lengths of paths that may not be the "
+        "shortest (leastcost doctor lists such faces)");
+  if (largest_error(field) > extent.largest && extent.largest > 0)
+    all.emplace_back("at some vertices the error may be larger than every value");
+  if (!of.is_corridor() && extent.reached <= field.places.size() && extent.reached < field.values.size())
+    all.emplace_back("no path leads farther than the place itself: its part of the mesh has no other vertex");
+  return all;
+}
+
+/// What a user should know about the nodes of a lattice, in two coordinates or in space.
+template <class Field>
+std::vector<std::string> remarks_on(const Field& field) {
+  std::vector<std::string> all;
+  if (!field.without_cost.empty())
+    all.push_back(fmt::format("nodes without a cost are left out: {}", field.without_cost));
+  if (field.unresolved > 0)
+    all.push_back(fmt::format("{} nodes are reached only by passages of one or two cells; use a smaller --resolution",
+                              field.unresolved));
+  if (field.free_nodes > 0)
+    all.push_back(
+        fmt::format("a unit of length costs 0 at {} of {} nodes, the first is {}: moves between them are free",
+                    field.free_nodes, field.values.size(), point_text(field.free_at)));
+  return all;
+}
+
+std::vector<std::string> remarks_of(const RunField& of) {
+  if (of.on_mesh()) return {};
+  std::vector<std::string> all = of.in_space() ? remarks_on(of.space()) : remarks_on(of.lattice());
+  if (is_directed(of) && !of.is_corridor())
+    all.push_back(fmt::format("the two directions of a way differ in cost; these are costs of {} the {}",
+                              of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place"));
+  if (of.in_space()) return all;
+  const CostField& lattice = of.lattice();
+  if (lattice.asymmetry > CostField::kFaithfulAsymmetry)
+    all.push_back(fmt::format(
+        "{}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified costs "
+        "between two places)",
+        std::isfinite(lattice.asymmetry)
+            ? fmt::format("a move costs up to {:.3g} times the same move back", lattice.asymmetry)
+            : "some moves have no move back"));
   constexpr double kRounding = 1e-6;  // of a step
   if ((lattice.uncovered.array() > kRounding * lattice.step.array()).any())
     all.push_back(fmt::format(
         "equal steps do not divide the sides of the box: a strip at its upper edges has no nodes, {:.3g} wide along {} "
         "and {:.3g} along {}",
-        lattice.uncovered[0], field.names()[0], lattice.uncovered[1], field.names()[1]));
+        lattice.uncovered[0], of.names()[0], lattice.uncovered[1], of.names()[1]));
   return all;
 }
 
-/// A path that costs more than the field has at its end by more than the error.
+/// By how much the value of a field at a place may exceed what it has there because it is linear between nodes: the
+/// range of the values around. Infinite near a place of the field, around which it is a cone.
+double linear_allowance(const CostField& field, const Eigen::VectorXd& place) {
+  constexpr double kNear = 3, kNone = std::numeric_limits<double>::infinity();  // steps
+  for (const Eigen::VectorXd& source : field.places)
+    if (((place - source).array().abs() <= kNear * field.step.array()).all()) return kNone;
+  const Eigen::Vector2d at = (place - field.lower).cwiseQuotient(field.step);
+  double least = kNone, most = -kNone;
+  for (const double i : {std::floor(at[0]), std::ceil(at[0])})
+    for (const double j : {std::floor(at[1]), std::ceil(at[1])}) {
+      if (i < 0 || j < 0 || i >= field.count[0] || j >= field.count[1]) return kNone;
+      const double value = field.value(static_cast<std::int32_t>(i), static_cast<std::int32_t>(j));
+      least = std::min(least, value), most = std::max(most, value);
+    }
+  return most - least;
+}
+
+/// A path whose cost and the value of the field at its end differ by more than the error.
 std::vector<std::string> remarks_on_ways(const RunField& field, const std::vector<FieldWay>& ways) {
   constexpr double kRounding = 1e-3;  // of the cost: values are linear between nodes
   std::vector<std::string> all;
   for (const FieldWay& way : ways) {
     if (field.nodes() != FieldNodes::plane || field.is_corridor()) continue;
+    const Eigen::VectorXd& end = field.to_places() ? way.points.front() : way.points.back();
+    const std::string place = point_text(end);
+    const double more = field.lattice().error + kRounding * way.cost;
+    if (way.value > way.cost + more && way.value > way.cost + more + linear_allowance(field.lattice(), end))
+      all.push_back(fmt::format(
+          "the path to {} costs {:.6g}, less than the {:.6g} of the field there, whose error is larger than "
+          "the estimate {:.2g}: the cost changes too much within a step; use a smaller --resolution",
+          place, way.cost, way.value, field.lattice().error));
     if (!(way.cost > way.value + field.lattice().error + kRounding * way.value)) continue;
     all.push_back(fmt::format(
         "the path to {} costs {:.6g}, and the field has {:.6g} there with an error of about {:.2g}: the cost changes "
         "too much within a step; use a smaller --resolution, or leastcost run between these two places",
-        point_text(field.to_places() ? way.points.front() : way.points.back()), way.cost, way.value,
-        field.lattice().error));
+        place, way.cost, way.value, field.lattice().error));
   }
   return all;
 }
 
 /// Of a field over a lattice, in two coordinates or in space.
 template <class Field>
-std::string estimate_notes(const Field& field, double largest) {
-  std::string out;
-  if (std::isfinite(field.error))
-    out += fmt::format(
-        "error  about {:.2g} at worst, {:.2g} on average (an estimate, from the field on half as many cells)\n",
-        field.error, field.mean_error);
-  else
-    out += "error  not estimated: half as many cells are too few\n";
-  if (field.error > largest)
-    out += "note: at some nodes the error may be larger than every value: use a smaller --resolution\n";
-  if (!field.without_cost.empty())
-    out += fmt::format("note: nodes without a cost are left out: {}\n", field.without_cost);
-  if (field.unresolved > 0)
-    out += fmt::format("note: {} nodes are reached only by passages of one or two cells; use a smaller --resolution\n",
-                       field.unresolved);
-  return out;
+std::string error_line(const Field& field) {
+  return std::isfinite(field.error)
+             ? fmt::format(
+                   "error  about {:.2g} at worst, {:.2g} on average (an estimate, from the field on half as many "
+                   "cells)\n",
+                   field.error, field.mean_error)
+             : "error  not estimated: half as many cells are too few\n";
 }
 
-std::string direction_note(const RunField& of) {
-  if (!is_directed(of) || of.is_corridor()) return {};
-  return fmt::format("note: the two directions of a way differ in cost; these are costs of {} the {}\n",
-                     of.to_places() ? "reaching" : "leaving", of.places().size() > 1 ? "places" : "place");
-}
-
-std::string lattice_notes(const RunField& of, double largest) {
-  const CostField& field = of.lattice();
-  std::string out = estimate_notes(field, largest) + direction_note(of);
-  if (field.asymmetry > CostField::kFaithfulAsymmetry)
-    out += fmt::format(
-        "note: {}; under such a cost values can be wrong by more than the estimate (leastcost run gives certified "
-        "costs between two places)\n",
-        std::isfinite(field.asymmetry)
-            ? fmt::format("a move costs up to {:.3g} times the same move back", field.asymmetry)
-            : "some moves have no move back");
-  return out;
-}
-
-std::string mesh_notes(const MeshField& field) {
-  std::string out = fmt::format("error  at most {:.2g} (proved: shortest paths by windows)\n", largest_error(field));
-  if (field.cut)
-    out +=
-        "note: memory ran out, or paths run over faces without height: some values are lengths of paths that may not "
-        "be the shortest (leastcost doctor lists such faces)\n";
-  return out;
+std::string error_line(const RunField& field) {
+  switch (field.nodes()) {
+    case FieldNodes::mesh:
+      return fmt::format("error  at most {:.2g} (proved: shortest paths by windows)\n",
+                         largest_error(field.on_vertices()));
+    case FieldNodes::space: return error_line(field.space());
+    case FieldNodes::plane: return error_line(field.lattice());
+  }
+  return "";
 }
 
 std::string nodes_in_words(const RunField& field) {
@@ -186,12 +220,18 @@ std::string nodes_in_words(const RunField& field) {
 /// Of the configuration, of the nodes and of the paths.
 std::vector<std::string> all_notes(const RunField& field, const std::vector<FieldWay>& ways) {
   std::vector<std::string> all = field.notes();
-  for (const auto& more : {remarks_of(field), remarks_on_ways(field, ways)})
+  for (const auto& more : {warnings_of(field), remarks_of(field), remarks_on_ways(field, ways)})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
 }  // namespace
+
+std::vector<std::string> warnings_of(const RunField& field) {
+  if (field.on_mesh()) return warnings_on_mesh(field);
+  const double largest = extent_of(field.values()).largest;
+  return field.in_space() ? warnings_on(field.space(), largest) : warnings_on(field.lattice(), largest);
+}
 
 bool is_directed(const RunField& field) {
   return field.in_space() ? field.space().directed : !field.on_mesh() && field.lattice().directed;
@@ -207,9 +247,7 @@ std::string field_summary_text(const RunField& field, const std::string& output,
   const std::string nodes = nodes_in_words(field);
   std::string out = fmt::format("{}: {}, {} reached, the largest value {:.6g} {}\n", output, nodes, extent.reached,
                                 extent.largest, unit);
-  out += field.on_mesh()    ? mesh_notes(field.on_vertices())
-         : field.in_space() ? estimate_notes(field.space(), extent.largest) + direction_note(field)
-                            : lattice_notes(field, extent.largest);
+  out += error_line(field);
   for (const std::string& note : all_notes(field, ways)) out += fmt::format("note: {}\n", note);
   for (const FieldWay& way : ways)
     out += fmt::format("path   from {} to {}: {:.10g} {}\n", point_text(way.points.front()),

@@ -9,6 +9,7 @@
 
 #include <leastcost/framework/base/deadline.hpp>
 #include <leastcost/framework/base/errors.hpp>
+#include "problems/fields/no_way.hpp"
 #include "problems/mesh/mesh_curve.hpp"
 
 namespace leastcost::app {
@@ -68,22 +69,19 @@ SurfacePath MeshFields::way(std::span<const SurfacePoint> places, const SurfaceP
     if (stop && stop()) throw Interrupted("field: interrupted before the path was found");
     if (found.length < best.length) best = std::move(found);
   }
-  if (!(best.length < kUnreachable)) throw InputError("no path on the mesh leads there");
+  if (!(best.length < kUnreachable)) throw NoWay("no path on the mesh leads there");
   return std::move(best.path);
 }
 
-MeshField corridor(const MeshField& from, const MeshField& to) {
+MeshField corridor(const MeshField& from, const MeshField& to, double least) {
   MeshField sum = from;
   sum.places.insert(sum.places.end(), to.places.begin(), to.places.end());
   sum.cut = from.cut || to.cut;
-  double least = kUnreachable;
   for (std::size_t v = 0; v < sum.values.size(); ++v) {
-    sum.values[v] += to.values[v];
+    sum.values[v] = sum.values[v] + to.values[v] - least;
     sum.errors[v] += to.errors[v];
-    if (sum.values[v] < least) least = sum.values[v];
+    if (sum.values[v] < 0) sum.values[v] = 0;  // by rounding
   }
-  if (!(least < kUnreachable)) throw InputError("corridor: no path joins the two places");
-  for (double& value : sum.values) value -= least;
   return sum;
 }
 

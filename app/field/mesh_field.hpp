@@ -43,9 +43,9 @@ class MeshFields {
   ExactSearch search_;
 };
 
-/// By how much the shortest path through each vertex exceeds the shortest path of all, from the places of one field to
-/// those of the other. Throws InputError where no path joins the two.
-MeshField corridor(const MeshField& from, const MeshField& to);
+/// By how much the shortest path through each vertex, from the places of one field to those of the other, exceeds
+/// `least`, the length of the shortest of all: it may lead through no vertex.
+MeshField corridor(const MeshField& from, const MeshField& to, double least);
 
 /// Per vertex of the file; NaN too for a vertex of no face.
 std::vector<double> in_order_of_file(const TriangleMesh& mesh, const MeshField& field);

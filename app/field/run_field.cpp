@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <limits>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -15,6 +16,7 @@
 #include <leastcost/problems/robots/robot.hpp>
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/voids.hpp"
+#include "problems/fields/no_way.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost::app {
@@ -32,6 +34,16 @@ std::vector<SurfacePoint> points_of(const MeshFields& fields, const std::vector<
   all.reserve(places.size());
   for (const PathEnd& place : places) all.push_back(fields.point(place));
   return all;
+}
+
+/// Of a field over a lattice at a place. Beyond the outermost nodes, as in the outer half of a cell of a raster, it is
+/// that of the nearest place among them and the straight move between the two.
+double value_beside(const CostField& field, const Problem& problem, const Eigen::Vector2d& place) {
+  if (!field.seams.empty()) return value_at(field, place);
+  const Eigen::Vector2d near = place.cwiseMax(field.lower).cwiseMin(field.node(field.count[0] - 1, field.count[1] - 1));
+  if (near == place) return value_at(field, place);
+  return value_at(field, near) + (field.to_places ? cost_of_way(problem, std::vector<Eigen::Vector2d>{place, near})
+                                                  : cost_of_way(problem, std::vector<Eigen::Vector2d>{near, place}));
 }
 
 /// Whatever is thrown about a place begins with its words.
@@ -127,7 +139,13 @@ RunField::RunField(const Run& run, const FieldEnds& ends, const CostFieldOptions
     if (places_.empty()) problem_ = problem;
     places_.push_back(problem.source);
   }
-  if (places_.empty() && config.ends_come_later()) problem_ = placed(source_);
+  if (places_.empty() && config.ends_come_later()) {
+    try {
+      problem_ = placed(source_);
+    } catch (const OptionError& e) {
+      throw e.under("ends");
+    }
+  }
   if (places_.empty()) places_ = {problem_.source};
   notes_ = origin_->parts.notes;
   if (const auto open = without_voids(config, problem_); open != problem_.manifold) {
@@ -162,17 +180,29 @@ RunField RunField::corridor(const PathEnd& target, const Monitor& monitor) const
   sum.has_target_ = true;
   sum.problem_.target = target;
   if (on_mesh()) {
-    const MeshField to = fields_->from({fields_->point(target)}, [&monitor] { return monitor.interrupted(); });
-    sum.vertices_ = app::corridor(vertices_, to);
+    const auto stop = [&monitor] { return monitor.interrupted(); };
+    const SurfacePoint there = fields_->point(target);
+    double least = 0;
+    try {
+      least = path_length(fields_->way(vertices_.places, there, stop));
+    } catch (const NoWay&) {
+      throw NoWay("corridor: no path joins the two places");
+    }
+    sum.vertices_ = app::corridor(vertices_, fields_->from({there}, stop), least);
     return sum;
+  }
+  double known = std::numeric_limits<double>::infinity();
+  try {
+    known = way(target, monitor).cost;
+  } catch (const InputError&) {  // without a way there is no corridor, and corridor() says so; one may also be lost
   }
   CostFieldOptions back = options_;
   back.to_places = true;
   if (in_space()) {
-    sum.space_ = leastcost::corridor(space_, space_costs_from(problem_, {target.u}, back, monitor));
+    sum.space_ = leastcost::corridor(space_, space_costs_from(problem_, {target.u}, back, monitor), known);
     return sum;
   }
-  sum.lattice_ = leastcost::corridor(lattice_, costs_from(problem_, {target.u}, back, monitor));
+  sum.lattice_ = leastcost::corridor(lattice_, costs_from(problem_, {target.u}, back, monitor), known);
   return sum;
 }
 
@@ -196,7 +226,7 @@ FieldWay RunField::way(const PathEnd& place, const Monitor& monitor) const {
   const std::vector<Eigen::Vector2d> points = way_down(lattice_, problem_, place.u);
   way.cost = cost_of_way(problem_, points);
   way.points.assign(points.begin(), points.end());
-  way.value = value_at(lattice_, place.u);
+  way.value = value_beside(lattice_, problem_, place.u);
   return way;
 }
 

@@ -103,6 +103,7 @@ std::string result_json(const PairsOutcome& outcome, const std::string& name) {
   out["outcomes"] = std::move(outcomes);
   out["proofs"] = proofs.empty() ? Json(nullptr) : std::move(proofs);
   out["unit"] = outcome.unit;
+  out["notes"] = outcome.notes;
   out["relative_error"] = spectrum_json(summary.errors);
   out["seconds_per_pair"] = spectrum_json(summary.seconds);
   out["seconds"] = {{"read", seconds.read},
@@ -132,6 +133,7 @@ PairsOutcome run_pairs(const Run& run, const PairsRequest& request) {
   PairsOutcome outcome;
   outcome.threads = request.threads;
   outcome.seconds = run.seconds;
+  outcome.notes = run.parts.notes;
   outcome.unit = run.parts.problem.cost->traits().unit;
   outcome.output =
       prepare_folder({output_of(request.run, run), kLog, "run of many pairs", request.run.force, request.resume});

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "app/pairs/pair_summary.hpp"
 #include "app/run/run.hpp"
@@ -28,10 +29,11 @@ struct PairsRequest {
 };
 
 struct PairsOutcome {
-  PairSummary summary;           ///< of all lines of paths.jsonl
-  std::filesystem::path output;  ///< absolute
-  std::string unit;              ///< of the costs
-  long found = 0;                ///< lines that an earlier call had left
+  PairSummary summary;             ///< of all lines of paths.jsonl
+  std::filesystem::path output;    ///< absolute
+  std::string unit;                ///< of the costs
+  std::vector<std::string> notes;  ///< on how the configuration and its files were read
+  long found = 0;                  ///< lines that an earlier call had left
   int threads = 1;
   RunSeconds seconds;        ///< of this call; `search`: all pairs
   bool interrupted = false;  ///< the rest of the pairs is still to be done

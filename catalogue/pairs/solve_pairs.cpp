@@ -87,6 +87,8 @@ void find(const Run& run, const PairRow& row, const PairsOptions& options, PairR
       return refuse("bad_pair", e.what());
     }
     if (are_one_place(found.parts.problem)) return add_one_place(found.parts.problem, options.points, out);
+    if (are_one_place_but_for_rounding(found.parts.problem))
+      return refuse("bad_pair", "the target is the same point as the source up to rounding; move it");
     search(found, run.max_seconds, monitor);
     add_path(found, options.points, out);
   } catch (const StoppedEarly& e) {

@@ -36,6 +36,8 @@ class Composer {
   RunParts take();
   /// What makes the parts for other ends out of these `parts`; null of a ring.
   std::shared_ptr<const PairComposer> pairs(const RunParts& parts) const;
+  /// What files said while they were read, so far.
+  const std::vector<std::string>& told() const { return told_; }
   /// Of the files and the domains made from them.
   double read_seconds() const { return read_seconds_; }
 

@@ -25,6 +25,7 @@
 #include "framework/base/counted.hpp"
 #include "framework/base/point_text.hpp"
 #include "framework/problem/moved_end.hpp"
+#include "framework/problem/one_place.hpp"
 #include "problems/formula/coordinate_names.hpp"
 
 namespace leastcost {
@@ -281,6 +282,10 @@ void place_target(const EndOptions& options, const std::string& path, RunParts& 
   note_latitudes(out);
 }
 
+bool are_one_place_but_for_rounding(const Problem& problem) {
+  return !are_one_place(problem) && equal_up_to_rounding(problem.source, problem.target);
+}
+
 bool are_one_place(const Problem& problem) {
   // Two vertices may have one position, as those of a slit without width: their faces tell them apart.
   if (problem.source.u == problem.target.u) return problem.source.site == problem.target.site;
@@ -289,6 +294,10 @@ bool are_one_place(const Problem& problem) {
 }
 
 void refuse_one_place(const Problem& problem, const std::string& key) {
+  if (are_one_place_but_for_rounding(problem))
+    throw OptionError(key,
+                      "is the same point as the source up to rounding; move it, or, for a closed path, use a ring "
+                      "(path.ring: true)");
   if (!are_one_place(problem)) return;
   if (problem.source.u == problem.target.u)
     throw OptionError(key, "is the same point as the source; for a closed path, use a ring (path.ring: true)");

@@ -40,6 +40,8 @@ void refuse_one_place(const Problem& problem, const std::string& key);
 
 /// Whether both ends are one place, perhaps by coordinates that state no winding: nothing lies between them.
 bool are_one_place(const Problem& problem);
+/// Whether they are not, and only the rounding of their coordinates tells them apart.
+bool are_one_place_but_for_rounding(const Problem& problem);
 
 /// Throws OptionError with this key for an end that an obstacle does not let be there.
 void refuse_end_in_clearance(const Problem& problem, const PathEnd& end, const std::string& key);

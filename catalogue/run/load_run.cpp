@@ -15,6 +15,7 @@
 #include "catalogue/run/compose_run.hpp"
 #include "catalogue/run/missing_files.hpp"
 #include "catalogue/run/why_defaults.hpp"
+#include "catalogue/run/with_notes.hpp"
 
 namespace leastcost {
 namespace {
@@ -37,16 +38,32 @@ void check_files(const LoadedConfig& loaded) {
     throw InputError(loaded.errors.where(missing[0].named) + ": " + missing[0].file + ": no such file");
 }
 
+/// What is thrown about files tells how they were read.
+void make_from_files(Composer& composer, const BuildProgress& progress) {
+  try {
+    composer.make_from_files(progress);
+  } catch (const InputError& e) {
+    throw InputError(with_notes(e.what(), composer.told()));
+  }
+}
+
 Run composed(LoadedConfig loaded, const BuildProgress& progress, const RunStart& start) {
   const auto stop_at_errors = [&] {
     if (!loaded.errors.empty()) throw ConfigError(loaded.errors);
   };
   stop_at_errors();
-  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) { loaded.add_error(e.key(), e.reason()); });
+  const Composer* made = nullptr;
+  bool told = false;  // once is enough
+  Composer composer(loaded.config, loaded.folder, [&](const OptionError& e) {
+    const bool tell = !told && made != nullptr && !made->told().empty();
+    loaded.add_error(e.key(), tell ? with_notes(e.reason(), made->told()) : e.reason());
+    told = told || tell;
+  });
+  made = &composer;
   composer.make_from_options();
   stop_at_errors();
   check_files(loaded);
-  composer.make_from_files(progress);
+  make_from_files(composer, progress);
   stop_at_errors();
   const auto hashing = std::chrono::steady_clock::now();
   std::vector<InputFile> inputs = inputs_of(loaded);

@@ -17,6 +17,7 @@
 #include "catalogue/run/run_clock.hpp"
 #include "catalogue/run/run_origin.hpp"
 #include "catalogue/run/search.hpp"
+#include "catalogue/run/with_notes.hpp"
 #include "framework/base/point_text.hpp"
 #include "problems/raster/raster_cells.hpp"
 
@@ -89,6 +90,18 @@ bool same_family(const RunParts& a, const RunParts& b) {
   return true;
 }
 
+/// search(); what it throws for want of a path tells how the configuration was read.
+void search_with_notes(RunOutcome& outcome, std::optional<double> max_seconds, const Monitor& monitor) {
+  const std::vector<std::string> notes = outcome.parts.notes;
+  try {
+    search(outcome, max_seconds, monitor);
+  } catch (const InitializationError& e) {
+    throw InitializationError(with_notes(e.what(), notes));
+  } catch (const InputError& e) {
+    throw InputError(with_notes(e.what(), notes));
+  }
+}
+
 /// With the line of a configuration that takes it.
 std::string note_on(const OtherWay& way) {
   return fmt::format(
@@ -146,7 +159,7 @@ RunOutcome solve(Run run, const Monitor& monitor) {
     prepare(parts.problem);
     prepared = seconds_since(begin);
   }
-  search(outcome, run.max_seconds, monitor);
+  search_with_notes(outcome, run.max_seconds, monitor);
   if (!run.max_seconds && !monitor.deadline && sees_one_way(outcome.origin->config))
     if (const auto other = look_elsewhere(parts.problem, *parts.solver, outcome.result, parts.options.points, monitor))
       parts.notes.push_back(note_on(*other));

@@ -50,14 +50,31 @@ std::string shown(const std::string& origin) {
   return origin.size() <= kLongest ? origin : origin.substr(0, kLongest) + "...";
 }
 
-/// The node that `key` names in `node`, made when missing; null (with an error) where a list has no such position.
-ConfigNode* step_into(ConfigNode& node, const std::string& key, const Place& place, Diagnostics& errors) {
+/// Why `key`, the position of an entry, is none of what `path` names, and what would be one.
+std::string why_no_list(const ConfigNode& node, const std::string& path, const std::string& key) {
+  const std::string name = in_quotes(shown_path(path));
+  if (node.kind == ConfigNode::Kind::nothing)
+    return fmt::format("{} has no entry {}: the configuration does not give this list; give all of it at once, {}=[..]",
+                       name, key, shown_path(path));
+  return fmt::format(
+      "{} has no entry {}: it is {}, not a list; {}", name, key, node.is_block() ? "a block of keys" : "one value",
+      node.is_block() ? fmt::format("name one of its keys, {}.KEY", shown_path(path)) : "leave out the number");
+}
+
+/// The node that `key` names in `node`, which is at `path`, made when missing; null (with an error) where a list has no
+/// such position, or there is no list.
+ConfigNode* step_into(ConfigNode& node, const std::string& path, const std::string& key, const Place& place,
+                      Diagnostics& errors) {
   if (node.is_list()) {
     const std::optional<std::size_t> index = list_index(key);
     if (index && *index < node.items.size()) return &node.items[*index];
     errors.error(place, "the list has " + std::to_string(node.items.size()) +
                             (node.items.size() == 1 ? " entry" : " entries") + ", numbered from 0; " + in_quotes(key) +
                             " is not one of them");
+    return nullptr;
+  }
+  if (list_index(key) && !path.empty() && !(node.is_block() && node.find(key) != nullptr)) {
+    errors.error(place, why_no_list(node, path, key));
     return nullptr;
   }
   if (!node.is_block()) {
@@ -106,10 +123,20 @@ void put_option(const std::string& path, ConfigNode value, const Place& place, C
   if (keys.size() > kMostWords)
     return errors.error(
         place, fmt::format("{} is not an option: no option has more than {} words", in_quotes(path), kMostWords));
-  ConfigNode* node = &root;
+  ConfigNode *node = &root, *around = nullptr;
+  bool made = false;
+  std::string before;
   for (const std::string& key : keys) {
-    node = step_into(*node, key, place, errors);
-    if (node == nullptr) return;
+    const std::size_t had = node->entries.size();
+    ConfigNode* const next = step_into(*node, before, key, place, errors);
+    if (next == nullptr) {
+      if (made) around->entries.pop_back();  // else it were a key without a value, another error
+      return;
+    }
+    before += (before.empty() ? "" : ".") + key;
+    made = node->entries.size() > had;
+    around = node;
+    node = next;
   }
   *node = std::move(value);
 }

@@ -13,6 +13,7 @@
 #include <leastcost/framework/result/other_images.hpp>
 #include "framework/base/point_text.hpp"
 #include "framework/base/sound_size.hpp"
+#include "framework/problem/one_place.hpp"
 
 namespace leastcost {
 namespace {
@@ -44,6 +45,9 @@ void check(const FindOptions& options) {
 
 void refuse_one_point(const Problem& problem) {
   refuse_unsound_distance(problem);
+  if (!problem.ring && !problem.based && equal_up_to_rounding(problem.source, problem.target))
+    throw InputError("source and target are the same point up to rounding: " + point_text(problem.source.u, 17) +
+                     " and " + point_text(problem.target.u, 17) + "; for a closed path, use a ring (path.ring: true)");
   std::optional<PointImage> image;
   if (!ends_are_one_point(problem, &image) || image) return;
   throw InputError("source " + point_text(problem.source.u) + " and target " + point_text(problem.target.u) +
@@ -65,6 +69,11 @@ void check_path(const Problem& problem, const CoordinatePath& path, Index least,
   if (path.ring != problem.ring)
     throw InputError(path.ring ? what + " is a ring, but the problem has two ends"
                                : what + " is open, but the problem is a ring");
+  if (path.u.rows() == rows && columns == 1 && least == 2)
+    throw InputError(what + " has one point only: source and target are " +
+                     short_number((problem.target.u - problem.source.u).norm(), 3) +
+                     " apart, which is nothing beside the rounding of points of this domain; move one of them, or, for "
+                     "a closed path, use a ring (path.ring: true)");
   if (path.u.rows() != rows || columns < least)
     throw InputError(what + " is " + std::to_string(path.u.rows()) + " x " + std::to_string(columns) +
                      ", but this problem needs " + std::to_string(rows) + " rows and at least " +

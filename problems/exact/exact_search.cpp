@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/metric_mesh.hpp"
 #include "problems/exact/propagation.hpp"
 
 namespace leastcost {
@@ -64,6 +66,18 @@ QueryLimits limits_of(const ExactOptions& options) {
   limits.stop = options.stop;
   limits.watch = options.watch;
   return limits;
+}
+
+/// The mesh moved to the origin where it lies far from there: the position of an end is then as exact as lengths are.
+/// Differences of coordinates that are alike are exact, so that the lengths stay as they were.
+std::optional<MetricMesh> brought_near(const TriangleMesh& mesh) {
+  constexpr double kFar = 16;  // times its extent
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : mesh.positions()) box.extend(p);
+  if (box.isEmpty()) return std::nullopt;
+  const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (!(reach > kFar * box.sizes().maxCoeff())) return std::nullopt;
+  return std::optional<MetricMesh>(std::in_place, mesh, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
 }
 
 /// What is known of one pair, from the path that the query began with on.
@@ -135,7 +149,13 @@ class PairKnowledge {
 }  // namespace
 
 struct ExactSearch::Tables {
-  Tables(const TriangleMesh& mesh, const Deadline& deadline) : edges(mesh, deadline) {}
+  Tables(const TriangleMesh& mesh, const Deadline& deadline)
+      : given(mesh), near(brought_near(mesh)), edges(near ? near->mesh() : mesh, deadline) {}
+  SurfacePath there(SurfacePath path) const { return near ? near->there(std::move(path)) : std::move(path); }
+  SurfacePath back(SurfacePath path) const { return near ? near->back(std::move(path)) : std::move(path); }
+
+  const TriangleMesh& given;
+  std::optional<MetricMesh> near;  ///< the mesh moved to the origin, on which is searched; none: `given`
   HalfEdges edges;
   Landmarks landmarks;
 };
@@ -203,7 +223,7 @@ ExactSearch::Workspace::Workspace(Workspace&&) noexcept = default;
 ExactSearch::Workspace& ExactSearch::Workspace::operator=(Workspace&&) noexcept = default;
 
 void ExactSearch::use(Landmarks landmarks) {
-  const TriangleMesh& mesh = tables_->edges.mesh();
+  const TriangleMesh& mesh = tables_->given;
   if (landmarks.made_for() != fingerprint(mesh))
     throw InputError(mesh.source() +
                      ": these landmarks were made for another mesh, or for other positions of it, so their distances "
@@ -216,7 +236,14 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   const HalfEdges& edges = tables_->edges;
   Workspace::Parts& parts = *workspace.parts_;
   const EndPoint from = end_point(edges, source), to = end_point(edges, target);
-  PairKnowledge known(edges.mesh(), from, to, options);
+  ExactOptions near = options;
+  std::optional<SurfacePath> start;
+  if (options.start != nullptr) near.start = &start.emplace(tables_->there(*options.start));
+  PairKnowledge known(edges.mesh(), from, to, near);
+  const auto found = [&] {
+    known.result.path = tables_->back(std::move(known.result.path));
+    return std::move(known.result);
+  };
   const Landmarks* const landmarks =
       options.landmarks && tables_->landmarks.count() > 0 ? &tables_->landmarks : nullptr;
   FrontBound* const fronts =
@@ -225,13 +252,13 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
   if (landmarks != nullptr) known.result.bound += " + " + std::to_string(landmarks->count()) + " landmarks";
   if (fronts != nullptr) known.result.bound += " + fronts";
   const LowerBound bound(edges, &to, landmarks, fronts);
-  if (parts.run_quick(from, to, bound, fronts != nullptr, known)) return std::move(known.result);
+  if (parts.run_quick(from, to, bound, fronts != nullptr, known)) return found();
 
   if (!parts.fine) parts.fine = std::make_unique<Propagation<DoubleDouble>>(edges);
   known.result.twice_the_digits = true;
   parts.fine->run(from, &to, bound, known.limits());
   known.take(*parts.fine);
-  return std::move(known.result);
+  return found();
 }
 
 ExactDistances ExactSearch::distances(const SurfacePoint& source, Workspace& workspace,
@@ -281,15 +308,15 @@ std::vector<SurfacePath> ExactSearch::paths(const SurfacePoint& source, std::spa
   paths.reserve(vertices.size());
   for (const std::int32_t v : vertices) {
     SurfacePath path = run.path_to(v);
-    paths.push_back(path.points.size() > 1 ? straightened(edges.mesh(), path) : std::move(path));
+    paths.push_back(tables_->back(path.points.size() > 1 ? straightened(edges.mesh(), path) : std::move(path)));
   }
   return paths;
 }
 
-std::uint64_t ExactSearch::made_for() const { return fingerprint(tables_->edges.mesh()); }
+std::uint64_t ExactSearch::made_for() const { return fingerprint(tables_->given); }
 
 Landmarks ExactSearch::make_landmarks(int count, Workspace& workspace, const std::function<bool()>& stop) const {
-  const TriangleMesh& mesh = tables_->edges.mesh();
+  const TriangleMesh& mesh = tables_->given;
   Landmarks landmarks(fingerprint(mesh), static_cast<std::size_t>(mesh.vertex_count()));
   std::vector<double> nearest(static_cast<std::size_t>(mesh.vertex_count()), std::numeric_limits<double>::infinity());
   std::int32_t next = 0;

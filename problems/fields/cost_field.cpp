@@ -21,6 +21,7 @@
 #include "problems/fields/grid_search.hpp"
 #include "problems/fields/isotropic_march.hpp"
 #include "problems/fields/lattice_box.hpp"
+#include "problems/fields/no_way.hpp"
 #include "problems/fields/node_moves.hpp"
 #include "problems/fields/without_cost.hpp"
 
@@ -31,9 +32,11 @@ using Eigen::Vector2d;
 using Lattice2 = IsotropicMarch::Lattice;
 
 constexpr double kNoPath = std::numeric_limits<double>::infinity();
+constexpr int kDigits = 10;  // of a coordinate, which may be of a map
 
 std::string coordinates_in_words(const Eigen::VectorXd& place) {
   std::ostringstream out;
+  out.precision(kDigits);
   out << '(';
   for (Eigen::Index i = 0; i < place.size(); ++i) out << (i > 0 ? ", " : "") << place[i];
   out << ')';
@@ -100,6 +103,7 @@ class FieldMaker {
     if (moves_.among_obstacles())
       passes = [this](const Vector2d& a, const Vector2d& b) { return moves_.clear(a, b, kNoPath); };
     IsotropicMarch march(lattice, densities, passes);
+    if (find_ability<HasCostCells>(*problem_.cost) != nullptr) march.pass_corners();
     for (const Eigen::VectorXd& place : places_)
       march.start(place, [this](const Vector2d& a, const Vector2d& b) {
         return to_places_ ? moves_.cost(b, a) : moves_.cost(a, b);
@@ -179,10 +183,22 @@ void check_left(const Problem& problem, const std::vector<Eigen::VectorXd>& plac
       }
     if (left) continue;
     const std::string why = why_not_left(problem, place, lattice);
-    throw InputError(
+    const std::string what =
         "field: no path leaves the place " + coordinates_in_words(place) + ": " +
-        (!why.empty() ? why : "it has no data, obstacles enclose it, or the steps of the lattice are too long"));
+        (!why.empty() ? why : "it has no data, obstacles enclose it, or the steps of the lattice are too long");
+    if (!why_without_cost(problem, place).empty()) throw InputError(what);
+    throw NoWay(what);
   }
+}
+
+/// Whether the coordinates are x and y of space, as on terrain: a raster of costs has its values at them.
+bool is_over_plane(const Problem& problem, const std::vector<Eigen::VectorXd>& places) {
+  constexpr double kRounding = 1e-9;
+  return std::all_of(places.begin(), places.end(), [&](const Eigen::VectorXd& u) {
+    if (u.size() != 2 || !u.allFinite()) return true;  // check_places() says so
+    const Points x = positions(*problem.manifold, {u, {}, true});
+    return x.rows() >= 2 && !((x.col(0).head(2) - u).norm() > kRounding * (1 + u.norm()));
+  });
 }
 
 void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& box) {
@@ -203,7 +219,8 @@ void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& 
 CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>& given, const CostFieldOptions& options,
                      const Monitor& monitor) {
   check_problem(problem);
-  const std::optional<RasterPlaces> raster = raster_places_of(*problem.cost);
+  std::optional<RasterPlaces> raster = raster_places_of(*problem.cost);
+  if (raster && !is_over_plane(problem, given)) raster.reset();
   const ChartBox chart = chart_box(problem);
   const LatticeBox box = field_box(problem, raster, chart);
   Lattice2 lattice = field_lattice(box, raster, options.resolution, options.equal_steps);
@@ -252,11 +269,11 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
   return field;
 }
 
-CostField corridor(const CostField& from, const CostField& to) {
+CostField corridor(const CostField& from, const CostField& to, double known) {
   if (from.count != to.count || from.lower != to.lower || from.step != to.step)
     throw InputError("corridor: the two fields have different nodes");
   CostField sum = from;
-  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two places");
+  if (!add_field(to, known, sum)) throw NoWay("corridor: no path joins the two places");
   return sum;
 }
 

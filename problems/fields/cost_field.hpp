@@ -83,15 +83,17 @@ CostField costs_from(const Problem& problem, const std::vector<Eigen::VectorXd>&
                      const CostFieldOptions& options = {}, const Monitor& monitor = {});
 
 /// How much dearer than the cheapest way a detour through each node is: the sum of two fields, from some places and to
-/// others, less its least value. Throws InputError where the lattices differ or no node has a way to both.
-CostField corridor(const CostField& from, const CostField& to);
+/// others, less its least value. `known`: what the cheapest way costs at most; places that are near each other have it
+/// between the nodes, and their least value is then too large. Throws InputError where the lattices differ, NoWay where
+/// no node has a way to both.
+CostField corridor(const CostField& from, const CostField& to, double known = std::numeric_limits<double>::infinity());
 
 /// The way between a place and the nearest of the field's places, down the field: coordinates, in the order in which it
 /// is walked. Its cost exceeds the least by about the error of the field; improve_path() makes it a certified path.
 /// Throws InputError where the place is outside the field or has no way.
 std::vector<Eigen::Vector2d> way_down(const CostField& field, const Problem& problem, const Eigen::Vector2d& place);
 
-/// The value of a field at a place, linear between nodes; NaN where one of them has none.
+/// The value of a field at a place, linear between nodes; NaN where one of those that count has none.
 double value_at(const CostField& field, const Eigen::Vector2d& place);
 
 /// What a way costs under the cost of a problem, each move in pieces.

@@ -18,7 +18,9 @@
 #include "problems/fields/field_descent.hpp"
 #include "problems/fields/grid_search.hpp"
 #include "problems/fields/lattice_box.hpp"
+#include "problems/fields/no_way.hpp"
 #include "problems/fields/tightened_way.hpp"
+#include "problems/fields/without_cost.hpp"
 
 namespace leastcost {
 namespace {
@@ -28,7 +30,9 @@ using Eigen::Vector2d;
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
 
 std::string in_words(const Vector2d& x) {
+  constexpr int kDigits = 10;  // of a map, whose places are far from its origin
   std::ostringstream out;
+  out.precision(kDigits);
   out << '(' << x[0] << ", " << x[1] << ')';
   return out.str();
 }
@@ -106,11 +110,15 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
     throw InputError("field: the place " + in_words(place) + " is outside the field, which reaches from " +
                      in_words(field.lower) + " to " + in_words(last));
   if (!is_reached(field, place))
-    throw InputError("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
-                     in_words(place) + ": it has no data, or obstacles or places without data lie between");
+    throw NoWay("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
+                in_words(place) + ": it has no data, or obstacles or places without data lie between");
   std::vector<Vector2d> way = steepest_way(field, problem, place);
   if (!field.to_places) std::reverse(way.begin(), way.end());
   if (!(cost_or_infinite(problem, way) < kImpossible)) way = way_in_current(field, problem, place, std::move(way));
+  const std::string why = way.empty() ? why_without_cost(problem, place) : "";
+  if (!why.empty())
+    throw InputError("field: there is no way " + std::string(field.to_places ? "from" : "to") + " the place " +
+                     in_words(place) + ": " + why);
   if (way.empty())
     throw InputError("field: the way " + std::string(field.to_places ? "from" : "to") + " the place " +
                      in_words(place) + " is lost between the nodes: use a smaller resolution");
@@ -127,24 +135,42 @@ double value_at(const CostField& field, const Vector2d& place) {
   };
   const std::int32_t i = low(0), j = low(1);
   const double s = std::clamp(at[0] - i, 0.0, 1.0), t = std::clamp(at[1] - j, 0.0, 1.0);
-  return (1 - t) * ((1 - s) * field.value(i, j) + s * field.value(i + 1, j)) +
-         t * ((1 - s) * field.value(i, j + 1) + s * field.value(i + 1, j + 1));
+  double sum = 0;
+  for (const auto& [weight, value] :
+       {std::pair((1 - s) * (1 - t), field.value(i, j)), std::pair(s * (1 - t), field.value(i + 1, j)),
+        std::pair((1 - s) * t, field.value(i, j + 1)), std::pair(s * t, field.value(i + 1, j + 1))})
+    if (weight > 0) sum += weight * value;  // at a node the others do not matter, and may have none
+  return sum;
 }
 
 namespace {
 
 template <class Place>
-double cost_in_pieces(const Problem& problem, const std::vector<Place>& way) {
-  constexpr Index kPieces = 4;  // of a move, which is two cells long
-  if (way.size() < 2) return 0;
+double cost_in_pieces(const Problem& problem, const std::vector<Place>& way, Index pieces) {
   const auto moves = static_cast<Index>(way.size()) - 1;
-  CoordinatePath fine{Points(Place::RowsAtCompileTime, moves * kPieces + 1), {}, false};
+  CoordinatePath fine{Points(Place::RowsAtCompileTime, moves * pieces + 1), {}, false};
   for (Index i = 0; i < moves; ++i) {
     const Place &a = way[static_cast<std::size_t>(i)], &b = way[static_cast<std::size_t>(i) + 1];
-    for (Index k = 0; k < kPieces; ++k) fine.u.col(i * kPieces + k) = a + double(k) / double(kPieces) * (b - a);
+    for (Index k = 0; k < pieces; ++k) fine.u.col(i * pieces + k) = a + double(k) / double(pieces) * (b - a);
   }
   fine.u.rightCols(1) = way.back();
   return PathEnergy(problem, 1).cost(fine);
+}
+
+/// On a curved domain chords are too short: pieces are halved until the cost no longer changes.
+template <class Place>
+double cost_in_pieces(const Problem& problem, const std::vector<Place>& way) {
+  constexpr Index kPieces = 4, kMostPieces = 64;  // of a move, which is two cells long
+  constexpr double kSame = 1e-8;                  // of the cost
+  if (way.size() < 2) return 0;
+  double cost = cost_in_pieces(problem, way, kPieces);
+  for (Index pieces = 2 * kPieces; pieces <= kMostPieces; pieces *= 2) {
+    const double before = cost;
+    cost = cost_in_pieces(problem, way, pieces);
+    if (!std::isfinite(cost)) return before;  // in a current that the middle of a longer piece can be crossed in
+    if (!(std::abs(cost - before) > kSame * cost)) break;
+  }
+  return cost;
 }
 
 }  // namespace

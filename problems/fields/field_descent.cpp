@@ -51,7 +51,8 @@ class FieldDescent {
     while (way.size() < most) {
       const Step end = last_step(way.back()), next = next_step(way.back(), here);
       if (!(std::min(end.total, next.total) < kLost)) break;
-      if (end.total < kLost && (end.total <= next.total || end.total <= (1 + kRounding) * here)) {
+      const bool as_the_field = here < kLost && end.total <= (1 + kRounding) * here;
+      if (end.total < kLost && (end.total <= next.total || as_the_field)) {
         if (end.to != way.back() || way.size() == 1) way.push_back(end.to);
         return way;
       }
@@ -118,6 +119,7 @@ class FieldDescent {
   /// `below`: no way goes in circles.
   Step next_step(const Vector2d& x, double below) const {
     constexpr int kDirections = 32, kHalvings = 8;
+    constexpr double kLoss = 0.01;  // of the value: beside cells without data, and between dear ones, nodes know better
     Step best;
     double angle = 0;
     const auto look = [&](const Vector2d& to, double value) {
@@ -139,7 +141,7 @@ class FieldDescent {
         turn(middle + width);
         turn(middle - width);
       }
-    if (best.total < kLost) return best;
+    if (best.total < kLost && below < kLost && best.total <= (1 + kLoss) * below) return best;
     const Vector2d at = in_steps(x);
     for (std::int32_t j = first_near(field_, at, 1); j <= last_near(field_, at, 1); ++j)
       for (std::int32_t i = first_near(field_, at, 0); i <= last_near(field_, at, 0); ++i)

@@ -82,11 +82,12 @@ void count_free_nodes(const std::vector<double>& densities, const Place& place, 
     if (densities[k] == 0 && field.free_nodes++ == 0) field.free_at = place(k);
 }
 
-/// Whether no node farther than a few steps from the places is reached, though there are some.
+/// Whether no node farther than a few steps from the places is reached, though there are some; or none farther than one
+/// step, where a lattice is too small for that.
 template <std::size_t D, class Field>
 bool is_enclosed(const Field& field) {
-  constexpr double kNear = 5;  // steps; paths leave a place straight for the nodes within 3.5
-  bool some_far = false;
+  constexpr double kNear = 5, kBeside = 1;  // steps; paths leave a place straight for the nodes within 3.5
+  bool some_far = false, some_beside = false, left = false;
   for (std::size_t i = 0; i < field.values.size(); ++i) {
     std::size_t rest = i;
     double nearest = std::numeric_limits<double>::infinity();
@@ -103,17 +104,21 @@ bool is_enclosed(const Field& field) {
       }
       nearest = std::min(nearest, far);
     }
-    if (nearest <= kNear) continue;
-    if (std::isfinite(field.values[i])) return false;
-    some_far = true;
+    if (nearest <= kBeside) continue;
+    const bool reached = std::isfinite(field.values[i]);
+    if (reached && nearest > kNear) return false;
+    some_beside = true;
+    left = left || reached;
+    some_far = some_far || nearest > kNear;
   }
-  return some_far;
+  return some_far || (some_beside && !left);
 }
 
-/// The sum of two fields over the same nodes less its least value, with the errors of both. False: no node has a way to
-/// both.
+/// The sum of two fields over the same nodes less its least value, with the errors of both. `known`: what the cheapest
+/// way of all costs at most. It leads through no node: what the least value exceeds it by is an error too; more than
+/// the errors of the fields is taken off. False: no node has a way to both.
 template <class Field>
-bool add_field(const Field& to, Field& sum) {
+bool add_field(const Field& to, double known, Field& sum) {
   double least = std::numeric_limits<double>::infinity();
   sum.places.insert(sum.places.end(), to.places.begin(), to.places.end());
   for (std::size_t k = 0; k < sum.values.size(); ++k) {
@@ -121,9 +126,16 @@ bool add_field(const Field& to, Field& sum) {
     if (sum.values[k] < least) least = sum.values[k];
   }
   if (!(least < std::numeric_limits<double>::infinity())) return false;
-  for (double& value : sum.values) value -= least;
   sum.error += to.error;
   sum.mean_error += to.mean_error;
+  const double beside = std::max(0.0, least - known);
+  if (beside > sum.error) {
+    least = known;
+  } else {
+    sum.error += beside;
+    sum.mean_error += beside;
+  }
+  for (double& value : sum.values) value -= least;
   sum.unresolved = std::max(sum.unresolved, to.unresolved);
   return true;
 }

@@ -11,6 +11,7 @@
 #include <leastcost/framework/domain/has_box.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include "framework/base/point_text.hpp"
+#include "framework/base/sound_size.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/raster/has_cell_index.hpp"
 
@@ -61,6 +62,8 @@ LatticeBox field_box(const Problem& problem, const std::optional<RasterPlaces>& 
 void check_extent(const LatticeBox& box) {
   constexpr double kMost = 1e100;  // whose square is a number
   const Eigen::VectorXd size = box.upper - box.lower;
+  if (size.maxCoeff() > 0 && size.maxCoeff() < 1)
+    check_sound_size("field: the longest side of the box", size.maxCoeff());
   if ((size.array() > 0).all() && size.maxCoeff() < kMost) return;
   throw InputError("field: the box from " + point_text(box.lower) + " to " + point_text(box.upper) +
                    (size.maxCoeff() < kMost ? " has no extent" : " is too large"));
@@ -107,7 +110,11 @@ IsotropicMarch::Lattice field_lattice(const LatticeBox& box, const std::optional
       lattice.lower[k] = box.lower[k];
       lattice.step[k] = step;
     }
-    if (!(cells >= 1)) throw InputError("field: the box has fewer than two values of the raster along a side");
+    if (!(cells >= 1))
+      throw InputError(
+          "field: the box has fewer than two values of the raster along a side: choose a resolution (--resolution), "
+          "for "
+          "nodes between them");
     if (!(cells < kMostFieldNodes)) cells = kMostFieldNodes;
     lattice.count[d] = static_cast<std::int32_t>(cells) + 1;
   }

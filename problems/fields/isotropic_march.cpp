@@ -189,10 +189,10 @@ void IsotropicMarch::run(const std::function<bool()>& stop) {
       const double others =
           straight ? 0 : density(number + ring_[(back + 1) % 8]) + density(number + ring_[(back + 7) % 8]);
       const bool joined = others < kUnreached;
-      const double mean = straight ? 0.5 * (double(from.density) + double(node.density))
-                                   : (double(from.density) + double(node.density)) / 3 + others / 6;
+      const double mean = straight || !joined ? 0.5 * (double(from.density) + double(node.density))
+                                              : (double(from.density) + double(node.density)) / 3 + others / 6;
       const Offer direct{from.u + mean * lengths_[back], moves_[back][0], moves_[back][1]};
-      if ((joined && take(number, direct)) || cheaper) queue.push(node.u, number);
+      if (((joined || passes_corners_) && take(number, direct)) || cheaper) queue.push(node.u, number);
     }
   }
 }

@@ -29,6 +29,9 @@ class IsotropicMarch {
   /// `densities`: n at the nodes, row by row; not finite or below 0: no path comes there.
   IsotropicMarch(const Lattice& lattice, const std::vector<double>& densities, Passes passes);
 
+  /// Lets paths pass the corner between two nodes when one beside it has no density, or both: the nodes are cells that
+  /// are constant each, and the corner is part of those that it joins.
+  void pass_corners() { passes_corners_ = true; }
   /// Lets paths leave a place straight for the nodes within a few steps; `cost` of such a move, infinite for none.
   void start(const Eigen::Vector2d& source,
              const std::function<double(const Eigen::Vector2d&, const Eigen::Vector2d&)>& cost);
@@ -59,6 +62,7 @@ class IsotropicMarch {
 
   Lattice lattice_;
   Passes passes_;
+  bool passes_corners_ = false;
   std::int32_t width_;
   std::array<std::int32_t, 8> ring_{};      ///< to the neighbours, counter-clockwise
   std::array<Eigen::Vector2d, 8> moves_{};  ///< the same in length units

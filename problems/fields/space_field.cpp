@@ -18,6 +18,7 @@
 #include "problems/fields/field_error.hpp"
 #include "problems/fields/field_lattice.hpp"
 #include "problems/fields/grid_search.hpp"
+#include "problems/fields/no_way.hpp"
 #include "problems/fields/space_arrival.hpp"
 #include "problems/fields/space_march.hpp"
 #include "problems/fields/tightened_way.hpp"
@@ -185,8 +186,10 @@ void check_left_in_space(const Problem& problem, const SpaceField& field) {
     std::string why = why_without_cost(problem, place);
     for (Eigen::Index k = 0; why.empty() && k < 6; ++k)
       why = why_without_cost(problem, place + (k < 3 ? 1 : -1) * field.step[k % 3] * Vector3d::Unit(k % 3));
-    throw InputError("field: no path leaves the place " + point_text(place) + ": " +
-                     (!why.empty() ? why : "obstacles enclose it, or the steps of the lattice are too long"));
+    const std::string what = "field: no path leaves the place " + point_text(place) + ": " +
+                             (!why.empty() ? why : "obstacles enclose it, or the steps of the lattice are too long");
+    if (!why_without_cost(problem, place).empty()) throw InputError(what);
+    throw NoWay(what);
   }
 }
 
@@ -273,11 +276,11 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
   return field;
 }
 
-SpaceField corridor(const SpaceField& from, const SpaceField& to) {
+SpaceField corridor(const SpaceField& from, const SpaceField& to, double known) {
   if (from.count != to.count || from.lower != to.lower || from.step != to.step)
     throw InputError("corridor: the two fields have different nodes");
   SpaceField sum = from;
-  if (!add_field(to, sum)) throw InputError("corridor: no path joins the two places");
+  if (!add_field(to, known, sum)) throw NoWay("corridor: no path joins the two places");
   return sum;
 }
 
@@ -290,8 +293,8 @@ std::vector<Vector3d> way_down(const SpaceField& field, const Problem& problem, 
   const MoveCheck moves(problem);
   std::vector<Vector3d> nodes = node_way(field, moves, place);
   if (nodes.empty())
-    throw InputError("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
-                     point_text(place) + ": obstacles lie between, or the steps of the lattice are too long");
+    throw NoWay("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
+                point_text(place) + ": obstacles lie between, or the steps of the lattice are too long");
   if (!field.to_places) std::reverse(nodes.begin(), nodes.end());  // there and back may cost differently
   const std::vector<Eigen::VectorXd> route(nodes.begin(), nodes.end());
   const std::vector<Eigen::VectorXd> straight = with_shortcuts(route, moves, kNoWay, {});

@@ -59,7 +59,8 @@ SpaceField space_costs_from(const Problem& problem, const std::vector<Eigen::Vec
                             const CostFieldOptions& options = {}, const Monitor& monitor = {});
 
 /// As for two fields in two coordinates.
-SpaceField corridor(const SpaceField& from, const SpaceField& to);
+SpaceField corridor(const SpaceField& from, const SpaceField& to,
+                    double known = std::numeric_limits<double>::infinity());
 
 /// As for a field in two coordinates.
 std::vector<Eigen::Vector3d> way_down(const SpaceField& field, const Problem& problem, const Eigen::Vector3d& place);

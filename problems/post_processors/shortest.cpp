@@ -146,7 +146,7 @@ PostProcessed ShortestPostProcessor::apply(const Problem& problem, const FirstPa
   GlobalBound& global = current.curve.global.emplace();
   global.proved = found.is_proved();
   global.outcome = found.outcome;
-  global.lower_bound = found.lower_bound;
+  global.lower_bound = std::min(found.lower_bound, current.curve.cost);  // measured elsewhere, hence rounded anew
   global.gap = found.gap;
   global.steps = found.windows;
   global.bound = found.bound;

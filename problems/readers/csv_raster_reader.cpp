@@ -14,7 +14,10 @@ namespace {
 /// blanks do.
 class CsvRows {
  public:
-  CsvRows(std::string_view text, const std::string& file) : text_(text), scanner_("", file, {}) {}
+  CsvRows(std::string_view text, const std::string& file) : text_(text), scanner_("", file, {}) {
+    constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // spreadsheets write it
+    if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+  }
 
   /// The next line that is not empty; false at the end.
   bool next(std::vector<double>& row) {

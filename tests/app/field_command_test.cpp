@@ -66,6 +66,11 @@ TEST_CASE("field command: several places, ways, corridors and the summary") {
   const std::string before = content(out);
   CHECK(call({"field", config, "--resolution", "0.5", "-o", out, "--from", list}).exit == 0);
   CHECK(content(out) == before);
+  const std::string sheet = text_file(dir / "sheet.txt",
+                                      "\xEF\xBB\xBF"
+                                      "0,0\r\n4,2\r\n");
+  CHECK(call({"field", config, "--resolution", "0.5", "-o", out, "--from", sheet}).exit == 0);
+  CHECK(content(out) == before);
 
   const std::string way = (dir / "way.csv").string();
   const Called back =
@@ -214,6 +219,129 @@ TEST_CASE("field command: costs of 0 and negative ones in every direction and pl
   CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place: obstacles"));
   const Called strip = call({"field", room, "-o", (dir / "f.asc").string(), "--from", "3,1", "--resolution", "0.3"});
   CHECK_THAT(strip.out, Contains("a strip at its upper edges has no nodes, 0.1 wide along x and 0.2 along y"));
+}
+
+TEST_CASE("field command: a field that cannot be relied on is written with a note and the exit code 5") {
+  const ScratchDir dir;
+  const std::string out = (dir / "f.csv").string();
+  // Half as many nodes see nothing of the cheap rows between them.
+  const std::string medium = text_file(
+      dir / "n.yaml",
+      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 0.4]}\ncost: {type: refractive_index, index: {type: "
+      "formula, n: \"1 + 1e4 * cos(3.14159265358979 * y / 0.2)^2\"}}\n");
+  const std::vector<std::string> words = {"field", medium,         "-o",  out,        "--from",
+                                          "0,0.1", "--resolution", "0.1", "--format", "json"};
+  const Called coarse = call(words);
+  REQUIRE(fs::exists(out));
+  const Json summary = Json::parse(coarse.out);
+  REQUIRE(summary["error"]["largest"].get<double>() > summary["largest"].get<double>());
+  CHECK(coarse.exit == 5);
+  CHECK_THAT(summary["notes"].dump(), Contains("the error may be larger than every value: use a smaller --resolution"));
+
+  std::string walls =
+      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: euclidean\nclearance: 0.01\nobstacles:\n";
+  for (const char* corners :
+       {"[0.7, 0.7], [1.3, 0.7], [1.3, 0.8], [0.7, 0.8]", "[0.7, 1.2], [1.3, 1.2], [1.3, 1.3], [0.7, 1.3]",
+        "[0.7, 0.7], [0.8, 0.7], [0.8, 1.3], [0.7, 1.3]", "[1.2, 0.7], [1.3, 0.7], [1.3, 1.3], [1.2, 1.3]"})
+    walls += std::string("  - {type: polygon, corners: [") + corners + "]}\n";
+  const std::string room = text_file(dir / "room.yaml", walls);
+  const Called enclosed = call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.05"});
+  CHECK(enclosed.exit == 5);
+  CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place"));
+  // No node is farther than five steps from the place, and those beside it are outside of the room.
+  const Called small =
+      call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.5", "--set", "manifold.upper=[2, 2]"});
+  CHECK(small.exit == 5);
+  CHECK_THAT(small.out, Contains("1 reached") && Contains("note: no path leads farther"));
+  const std::string none = (dir / "none.csv").string();
+  const Called beyond = call({"field", room, "-o", none, "--from", "1,1", "--to", "3,1", "--resolution", "0.05"});
+  CHECK(beyond.exit == 6);
+  CHECK_THAT(beyond.err, Contains("error: --to 3,1: field: no path leads to the place (3, 1)"));
+  CHECK_FALSE(fs::exists(none));
+  const Called corridor = call({"field", room, "-o", none, "--from", "1,1", "--to", "3,1", "--corridor", "--resolution",
+                                "0.05", "--format", "json"});
+  CHECK(corridor.exit == 6);
+  CHECK(Json::parse(corridor.out)["status"] == "no_path");
+}
+
+TEST_CASE("field command: a result never replaces a file that is read") {
+  const ScratchDir dir;
+  std::string grid = "ncols 8\nnrows 8\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 64; ++i) grid += i % 8 == 7 ? "1\n" : "1 ";
+  const std::string map = text_file(dir / "map.asc", grid), places = text_file(dir / "places.csv", "2,2\n");
+  const std::string config = text_file(dir / "c.yaml", "manifold: euclidean\ncost: {type: cost_map, file: map.asc}\n");
+  const Called called = call({"field", config, "--from", "1,1", "-o", map});
+  CHECK(called.exit == 4);
+  CHECK_THAT(called.err, Contains("--output " + map + " would replace a file that is read: name another file"));
+  CHECK_THAT(
+      call({"field", config, "--from", "1,1", "--to", places, "-o", (dir / "f.asc").string(), "--way", places}).err,
+      Contains("--way " + places + " would replace a file that is read"));
+  CHECK(content(dir / "map.asc") == grid);
+  CHECK(content(dir / "places.csv") == "2,2\n");
+}
+
+TEST_CASE("field command: a place in the outer half of a border cell has a value and no note") {
+  const ScratchDir dir;
+  std::string grid = "ncols 40\nnrows 40\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 1600; ++i) grid += i % 40 == 39 ? "1\n" : "1 ";
+  text_file(dir / "one.asc", grid);
+  const std::string config = text_file(dir / "one.yaml",
+                                       "manifold: {type: euclidean, lower: [0, 0], upper: [40, 40]}\ncost: {type: "
+                                       "cost_map, file: one.asc, interpolation: cells}\n");
+  for (const bool back : {false, true}) {
+    std::vector<std::string> words = {"field",    config,      "-o",   (dir / "f.npy").string(),
+                                      "--from",   "10,10",     "--to", "0.02,2",
+                                      "--to",     "39.9,39.9", "--to", "20,39.6",
+                                      "--format", "json"};
+    if (back) words.push_back("--to-here");
+    const Called called = call(words);
+    REQUIRE(called.exit == 0);
+    const Json summary = Json::parse(called.out);
+    CHECK(summary["notes"].empty());
+    for (const Json& way : summary["ways"])
+      CHECK(way["value"].get<double>() == Approx(way["cost"].get<double>()).epsilon(0.01));
+  }
+  const std::string bilinear = text_file(dir / "bilinear.yaml",
+                                         "manifold: {type: euclidean, lower: [0, 0], upper: [40, 40]}\ncost: {type: "
+                                         "cost_map, file: one.asc, interpolation: bilinear}\n");
+  CHECK_THAT(call({"field", bilinear, "-o", (dir / "f.npy").string(), "--from", "10,10", "--to", "0.02,2"}).err,
+             Contains("(0.02, 2) is outside the values of ") && Contains("which extend from (0.5, 0.5)"));
+}
+
+TEST_CASE("field and run: a value that was taken as no data is told where there is no path") {
+  const ScratchDir dir;
+  std::string grid = "ncols 12\nnrows 12\nxllcorner 0\nyllcorner 0\ncellsize 1\n";
+  for (int i = 0; i < 144; ++i) grid += std::string(i % 12 == 6 ? "-99" : "2") + (i % 12 == 11 ? "\n" : " ");
+  text_file(dir / "wall.asc", grid);
+  const std::string config = text_file(dir / "wall.yaml",
+                                       "manifold: {type: euclidean, lower: [0, 0], upper: [12, 12]}\nends: {source: "
+                                       "{point: [2, 2]}, target: {point: [10, 10]}}\ncost: {type: cost_map, file: "
+                                       "wall.asc}\n");
+  const std::string terrain = text_file(dir / "terrain.yaml",
+                                        "manifold: {type: terrain, file: wall.asc}\nends: {source: {point: [2, 2]}, "
+                                        "target: {point: [10, 10]}}\ncost: euclidean\n");
+  const std::string out = (dir / "out").string(), file = (dir / "f.csv").string();
+  const std::vector<std::pair<int, std::vector<std::string>>> failing = {
+      {6, {"run", config, "-o", out}},
+      {6, {"run", config, "-o", out, "--format", "json"}},
+      {4, {"run", config, "-o", out, "--set", "ends.source.point=[6.5, 3]"}},
+      {3, {"run", config, "-o", out, "--set", "ends.source.point=[6.5, 3]", "--set", "cost.interpolation=smooth"}},
+      {3, {"run", terrain, "-o", out, "--set", "ends.source.point=[6.5, 3]"}},
+      {6, {"field", config, "-o", file, "--to", "10,10"}},
+      {6, {"field", config, "-o", file, "--corridor"}},
+      {4, {"field", config, "-o", file, "--from", "6.5,3"}}};
+  for (const auto& [exit, words] : failing) {
+    const Called called = call(words);
+    INFO(called.err);
+    CHECK(called.exit == exit);
+    CHECK_THAT(called.err + called.out, Contains("note: the value -99 was taken as \"no data\": 12 of 144 cells") ||
+                                            Contains("note: the value -99 was taken as \\\"no data\\\""));
+    CHECK_FALSE(fs::exists(file));
+  }
+  const std::string pairs = text_file(dir / "pairs.csv", "source_x,source_y,target_x,target_y\n2,2,10,10\n");
+  const Called many = call({"run", config, "-o", (dir / "many").string(), "--pairs", pairs});
+  CHECK(many.exit == 7);
+  CHECK_THAT(many.out, Contains("note        the value -99 was taken as \"no data\""));
 }
 
 TEST_CASE("field command: a fault is said of the place that has it, and columns have the names of coordinates") {

@@ -155,6 +155,26 @@ TEST_CASE("field on a mesh: exact lengths as CSV, NPY, VTP and PLY, and the summ
   CHECK_THAT(content(dir / "c.csv"), Contains("\n0,0,0,0,0\n") && Contains("\n1,1,0,0,0.58578643"));
 }
 
+TEST_CASE("field on a mesh: a corridor is more than the shortest path, which may lead through no vertex") {
+  const ScratchDir dir;
+  text_file(dir / "big.obj", "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 100 100 0\nf 1 2 3\nf 2 4 3\n");
+  const std::string config = text_file(dir / "big.yaml", "manifold: {type: mesh, file: big.obj}\ncost: euclidean\n");
+  const Called called =
+      call({"field", config, "-o", (dir / "c.npy").string(), "--from", "30,30,0", "--to", "31,30,0", "--corridor"});
+  CHECK(called.exit == 0);
+  const std::vector<double> detour = npy_numbers(dir / "c.npy");
+  REQUIRE(detour.size() == 4);
+  const double near = std::hypot(30, 30) + std::hypot(31, 30) - 1, right = std::hypot(70, 30) + std::hypot(69, 30) - 1;
+  CHECK(detour[0] == Approx(near).epsilon(1e-12));
+  CHECK(detour[1] == Approx(right).epsilon(1e-12));
+  text_file(dir / "two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 0 0\nv 6 0 0\nv 5 1 0\nf 1 2 3\nf 4 5 6\n");
+  const std::string two = text_file(dir / "two.yaml", "manifold: {type: mesh, file: two.obj}\ncost: euclidean\n");
+  const Called nothing =
+      call({"field", two, "-o", (dir / "n.csv").string(), "--from", "3", "--from", "4", "--from", "5"});
+  CHECK(nothing.exit == 5);
+  CHECK_THAT(nothing.out, Contains("note: no path leads farther than the place itself"));
+}
+
 TEST_CASE("field on a mesh: what it refuses, in one sentence") {
   const ScratchDir dir;
   text_file(dir / "fold.obj", kFold);
@@ -171,7 +191,7 @@ TEST_CASE("field on a mesh: what it refuses, in one sentence") {
           "--from: expected the number of a vertex, from 0, or a point like 3.5,-2,1, found '1,2'");
   refused({"--from", "x"}, 4, "--from x: there is no such file, and it is not a place like 12 (a vertex) or 3.5,-2,1");
   refused({"--from", "70"}, 4, "--from 70: ");
-  refused({"--to", "5"}, 4, "--to 5: no path on the mesh leads there");
+  refused({"--to", "5"}, 6, "--to 5: no path on the mesh leads there");
   refused({"--resolution", "1"}, 3, "on a mesh the nodes are its vertices");
   CHECK_THAT(call({"field", config, "-o", (dir / "f.asc").string()}).err,
              Contains("a field on a mesh can be written as .csv, .npy, .vtp or .ply"));

@@ -52,6 +52,21 @@ TEST_CASE("override: positions in a list may be written in brackets and are numb
   }
 }
 
+TEST_CASE("override: an entry of a list that is not there is told with what would be right") {
+  for (const char* path : {"obstacles[0].type=ball", "obstacles[2].radius=2", "obstacles.0.radius=2"}) {
+    CAPTURE(path);
+    CHECK_THAT(errors_of(kPlane, {path}),
+               Contains(std::string("--set ") + path + ": error: 'obstacles' has no entry") &&
+                   Contains("the configuration does not give this list; give all of it at "
+                            "once, obstacles=[..]"));
+    CHECK_THAT(errors_of(kPlane, {path}), !Contains("has no value"));
+  }
+  CHECK_THAT(errors_of(kPlane, {"ends[0].point=[1, 2]"}),
+             Contains("'ends' has no entry 0: it is a block of keys, not a list; name one of its keys, ends.KEY"));
+  CHECK_THAT(errors_of(kPlane, {"path.points=7", "path.points[1]=3"}),
+             Contains("'path.points' has no entry 1: it is one value, not a list; leave out the number"));
+}
+
 TEST_CASE("override: errors show the argument in the place of the position") {
   CHECK(errors_of(kPlane, {"path.points=many"}) ==
         "--set path.points=many: error: 'points' in path must be a whole number or auto (found 'many')\n");

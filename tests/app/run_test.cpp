@@ -354,6 +354,53 @@ TEST_CASE("run: ends are placed or refused with their position") {
   CHECK_THAT(source("{vertex: 3}"), Contains("is the same point as the source"));
 }
 
+TEST_CASE("run: ends that only rounding tells apart are one place") {
+  const ScratchDir dir;
+  std::ostringstream cloud;
+  cloud.precision(17);
+  for (int i = 0; i < 40; ++i)
+    for (int j = 0; j < 40; ++j) cloud << 0.1 * i << ' ' << 0.1 * j << ' ' << 0.1 * std::sin(0.3 * i) << '\n';
+  write(dir / "c.xyz", cloud.str());
+  write(dir / "pyramid.obj", kPyramid);
+  const std::vector<std::pair<std::string, std::vector<double>>> domains = {
+      {"euclidean", {1, 1}},
+      {"{type: euclidean, dimension: 5}", {1, 2, 3, 4, 5}},
+      {"{type: euclidean, lower: [0, 0, 0], upper: [4, 4, 4]}\nobstacles: [{type: ball, center: [3, 3, 3], radius: "
+       "0.5}]",
+       {1, 1, 1}},
+      {"{type: implicit, surface: sphere}", {0.6, 0.8, 0}},
+      {"{type: parametric, surface: torus}", {0.5, 1}},
+      {"{type: earth}", {50, 10}},
+      {"{type: point_cloud, file: c.xyz}", {0.1, 0.1, 0.1 * std::sin(0.3)}},
+      {"{type: mesh, file: pyramid.obj}", {0.5, 0, 0.5}}};
+  for (const auto& [domain, place] : domains) {
+    std::vector<double> other = place;
+    other[0] = std::nextafter(other[0], 100.0);
+    const auto text = [](const std::vector<double>& x) {
+      std::ostringstream out;
+      out.precision(17);
+      for (std::size_t i = 0; i < x.size(); ++i) out << (i > 0 ? ", " : "[") << x[i];
+      return out.str() + "]";
+    };
+    const fs::path file =
+        write(dir / "one.yaml", "manifold: " + domain + "\ncost: euclidean\nends: {source: {point: " + text(place) +
+                                    "}, target: {point: " + text(other) + "}}\n");
+    INFO(domain);
+    CHECK_THROWS_WITH(solve(load_run(file), {}), Contains("same point"));
+  }
+  // Where vertices are known to 1e-12 of an edge, the shortest path has one point.
+  for (const double apart : {1e-13, 3e-14, 1e-15}) {
+    std::ostringstream ends;
+    ends.precision(17);
+    ends << "ends: {source: {point: [0, 0, 1]}, target: {point: [" << apart << ", 0, 1]}}\n";
+    const fs::path file =
+        write(dir / "m.yaml", "manifold: {type: mesh, file: pyramid.obj}\ncost: euclidean\n" + ends.str());
+    INFO(apart);
+    CHECK_THROWS_WITH(solve(load_run(file), {}),
+                      Contains("one point only: source and target are") && Contains("path.ring: true"));
+  }
+}
+
 TEST_CASE("run: missing and broken data are input errors") {
   const ScratchDir dir;
   const fs::path file = write(dir / "m.yaml", kOnPyramid);

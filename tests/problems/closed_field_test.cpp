@@ -88,6 +88,7 @@ TEST_CASE("closed field: over the date line and back on a way") {
   for (const Vector2d& to : {Vector2d(-33, -71), Vector2d(61, -150), Vector2d(-33, 289), Vector2d(35, 139)}) {
     const std::vector<Vector2d> way = way_down(field, problem, to);
     CHECK(cost_of_way(problem, way) == Approx(distance(to)).epsilon(0.002));
+    CHECK(cost_of_way(problem, way) > (1 - 1e-7) * distance(to));  // no sum of chords
     CHECK((place(way.back()) - place(to)).norm() < 1e-9);
     CHECK((place(way.front()) - place({-41, 174})).norm() < 1e-9);
     CHECK(value_at(field, to) == Approx(distance(to)).epsilon(0.02));

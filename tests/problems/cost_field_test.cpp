@@ -401,6 +401,56 @@ TEST_CASE("field: a corridor is how much longer a detour is") {
   CHECK_THROWS_WITH(corridor(from, field_of(problem, 0.04)), Catch::Contains("different nodes"));
 }
 
+TEST_CASE("field: a corridor between places beside each other is as much longer as it is") {
+  const Problem problem = between(unit_box(), make_euclidean_cost(2), Vector2d(0.52, 0.53), Vector2d(0.56, 0.55));
+  const double least = (problem.target.u - problem.source.u).norm();
+  const CostField from = field_of(problem, 0.1);
+  const CostField to = costs_from(problem, {problem.target.u}, {.resolution = 0.1, .to_places = true});
+  const auto detour = [&](const Vector2d& x) {
+    return (x - problem.source.u).norm() + (x - problem.target.u).norm() - least;
+  };
+  const CostField sum = corridor(from, to, least);
+  CHECK(worst(sum, detour) <= sum.error);
+  CHECK(sum.error < 0.05);
+  CHECK(worst(corridor(from, to), detour) > sum.error);  // the nodes around have no shorter one
+}
+
+TEST_CASE("field: cells are joined by a corner that they share") {
+  RasterGrid raster;
+  raster.rows = raster.columns = 5;
+  raster.cell = Vector2d(2, 1);
+  raster.corner = Vector2d(400000, 5000000);
+  raster.values.assign(25, std::nan(""));
+  for (int k = 0; k < 5; ++k) raster.values[raster.index(k, k)] = 1 + k;  // as a road one cell wide
+  raster.source = "test";
+  const Vector2d first = raster.corner + Vector2d(1, 0.5), last = first + Vector2d(8, 4);
+  const Problem problem = between(space(2), make_cost_map(raster, CostMapInterpolation::cells, 2), first, last);
+  const CostField field = costs_from(problem, {problem.source.u});
+  const double diagonal = std::sqrt(5.0), whole = diagonal * (0.5 + 2 + 3 + 4 + 2.5);
+  CHECK(field.value(4, 4) == Approx(whole).epsilon(1e-6));
+  CHECK(value_at(field, last) == Approx(whole).epsilon(1e-6));  // beside nodes without a value
+  CHECK(cost_of_way(problem, way_down(field, problem, last)) == Approx(whole).epsilon(1e-9));
+}
+
+TEST_CASE("field: the way to a place near the source leads round dear cells") {
+  RasterGrid raster;
+  raster.rows = raster.columns = 7;
+  raster.values.assign(49, 1);
+  raster.cell = Vector2d(1, 1);
+  raster.source = "test";
+  raster.values[raster.index(3, 3)] = 100;
+  const Problem problem =
+      between(space(2), make_cost_map(raster, CostMapInterpolation::cells, 2), Vector2d(2.5, 3.5), Vector2d(4.5, 3.5));
+  const CostField field = costs_from(problem, {problem.source.u});
+  CHECK(cost_of_way(problem, way_down(field, problem, Vector2d(4.5, 3.5))) < 3);
+}
+
+TEST_CASE("field: sizes whose squares are no numbers are refused") {
+  const Problem problem = between(box(Vector2d(0, 0), Vector2d(1e-300, 1e-300)), make_euclidean_cost(2), Vector2d(0, 0),
+                                  Vector2d(1e-300, 0));
+  CHECK_THROWS_WITH(costs_from(problem, {problem.source.u}), Catch::Contains("below 1e-75"));
+}
+
 TEST_CASE("field: what it does not do is said") {
   const Problem ring = closed(space(2), make_euclidean_cost(2));
   CHECK_THROWS_WITH(costs_from(ring, {Vector2d(0, 0)}), Catch::Contains("a ring has no source"));

@@ -616,6 +616,40 @@ TEST_CASE("exact: a constant metric is the Euclidean one on a mesh that was turn
   }
 }
 
+/// Rounding of the position of an end, relative to its coordinates, was as large as its distance from the vertex: the
+/// paths on both sides of the vertex could not be told apart.
+TEST_CASE("exact: an end beside a vertex of a mesh far from the origin takes few windows") {
+  constexpr int kSide = 40;
+  for (const double away : {0.0, 1e3, 1e6}) {
+    PolygonSoup soup;
+    for (int j = 0; j <= kSide; ++j)
+      for (int i = 0; i <= kSide; ++i) {
+        const double x = double(i) / kSide, y = double(j) / kSide;
+        soup.positions.emplace_back(away + x, away + y, away + 0.1 * std::sin(13 * x) * std::cos(12 * y));
+      }
+    for (int j = 0; j < kSide; ++j)
+      for (int i = 0; i < kSide; ++i) {
+        const int a = j * (kSide + 1) + i;
+        add_polygon(soup, {a, a + 1, a + kSide + 2});
+        add_polygon(soup, {a, a + kSide + 2, a + kSide + 1});
+      }
+    const TriangleMesh mesh(soup);
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    const int corner = 10 * kSide + 10;  // the square whose first corner is the vertex
+    const SurfacePoint target{2 * (30 * kSide + 30), Eigen::Vector3d(0.5, 0.3, 0.2)};
+    for (const double near : {1e-11, 1e-10, 1e-9, 1e-8, 1e-7}) {
+      const SurfacePoint source{2 * corner, Eigen::Vector3d(1 - near, near, 0)};
+      const ExactResult found = search.shortest(source, target, workspace);
+      CAPTURE(away, near, found.windows);
+      CHECK(found.is_proved());
+      CHECK(found.windows < 100'000);
+      if (away < 1e6) CHECK(lies_on(mesh, found.path));  // beyond, points are rounded by more than it allows
+      CHECK(path_length(found.path) == Approx(found.length).epsilon(1e-7));
+    }
+  }
+}
+
 /// Far from the origin positions are known to 1e-10, and so are the lengths of paths: a proof allows for it.
 TEST_CASE("exact: a mesh far from the origin is proved up to the rounding of positions") {
   constexpr double kAway = 1e6;

@@ -93,6 +93,10 @@ TEST_CASE("table: commas, semicolons or blanks, and empty fields, NA and nan are
   CHECK(std::isnan(raster.value(0, 1)));
   CHECK(std::isnan(raster.value(0, 2)));
   CHECK(read_csv_raster("1; 2\nnan;4\n", "a.csv").raster.value(1, 1) == 2);
+  CHECK(read_csv_raster("\xEF\xBB\xBF"
+                        "1,2\n3,4\n",
+                        "a.csv")
+            .raster.value(1, 0) == 1);
   CHECK(read_csv_raster(" 1   2\t3 \n4 5 6", "a.csv").raster.columns == 3);
 }
 
