@@ -109,7 +109,7 @@ class CostMapCost final : public SegmentCostOf<CostMap<D>>,
   PatchBounds bounds(const RasterPatch& patch) const override { return n_->bounds(patch); }
   PlaneJet index(double x, double y) const override { return n_->at(x, y); }
   std::optional<std::array<double, 4>> corners(const RasterPatch& patch) const override { return n_->corners(patch); }
-  double density(const Eigen::Vector2d& x) const override { return n_->value_at(x[0], x[1]); }
+  double density(const Eigen::Vector2d& x) const override { return n_->at(x[0], x[1]).value; }
   DensityEnclosure enclose_density(const Eigen::AlignedBox2d& cell) const override { return enclose_over(*n_, cell); }
 
  private:

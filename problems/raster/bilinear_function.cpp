@@ -3,14 +3,6 @@
 #include "problems/raster/raster_function.hpp"
 
 namespace leastcost {
-namespace {
-
-/// Between four values, at (u, v) from 0 to 1.
-double between(const std::array<double, 4>& z, double u, double v) {
-  return (1 - v) * ((1 - u) * z[0] + u * z[1]) + v * ((1 - u) * z[2] + u * z[3]);
-}
-
-}  // namespace
 
 BilinearFunction::BilinearFunction(const RasterGrid& raster)
     : RasterFunction(RasterPatches(raster, 0, 2)), columns_(raster.columns), values_(raster.values) {}
@@ -28,14 +20,10 @@ PlaneJet BilinearFunction::in_patch(const RasterPatch& patch, double column, dou
   const double east = z[1] - z[0], north = z[2] - z[0], twist = z[3] - z[2] - z[1] + z[0];
   const Eigen::Vector2d& cell = patches().cell();
   PlaneJet jet;
-  jet.value = between(z, u, v);
+  jet.value = (1 - v) * ((1 - u) * z[0] + u * z[1]) + v * ((1 - u) * z[2] + u * z[3]);
   jet.gradient << (east + twist * v) / cell[0], (north + twist * u) / cell[1];
   jet.hessian(0, 1) = jet.hessian(1, 0) = twist / (cell[0] * cell[1]);
   return jet;
-}
-
-double BilinearFunction::value_in_patch(const RasterPatch& patch, double column, double row) const {
-  return between(values_at(patch), column - patch.column, row - patch.row);
 }
 
 PatchBounds BilinearFunction::bounds(const RasterPatch& patch) const {

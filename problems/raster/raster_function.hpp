@@ -41,10 +41,6 @@ class RasterFunction {
   const RasterPatches& patches() const { return patches_; }
   /// In a patch, at a place in cells, the polynomial of the patch also beside it.
   virtual PlaneJet in_patch(const RasterPatch& patch, double column, double row) const = 0;
-  /// The value of in_patch() alone, to the last digit.
-  virtual double value_in_patch(const RasterPatch& patch, double column, double row) const {
-    return in_patch(patch, column, row).value;
-  }
   /// Rounded outward.
   virtual PatchBounds bounds(const RasterPatch& patch) const = 0;
   /// The polynomial of a patch at a place, in cells and known up to rounding, also beside the patch. Rounded outward.
@@ -65,12 +61,6 @@ class RasterFunction {
     if (patch) return in_patch(*patch, place[0], place[1]);
     return {kUnknown, Eigen::Vector2d::Constant(kUnknown), Eigen::Matrix2d::Constant(kUnknown)};
   }
-  /// The value of at() alone.
-  double value_at(double x, double y) const {
-    const Eigen::Vector2d place = patches_.in_cells(x, y);
-    const std::optional<RasterPatch> patch = patches_.at(place[0], place[1]);
-    return patch ? value_in_patch(*patch, place[0], place[1]) : std::numeric_limits<double>::quiet_NaN();
-  }
 
  protected:
   explicit RasterFunction(RasterPatches patches) : patches_(std::move(patches)) {}
@@ -85,7 +75,6 @@ class BilinearFunction final : public RasterFunction {
   /// Throws InputError.
   explicit BilinearFunction(const RasterGrid& raster);
   PlaneJet in_patch(const RasterPatch& patch, double column, double row) const override;
-  double value_in_patch(const RasterPatch& patch, double column, double row) const override;
   PatchBounds bounds(const RasterPatch& patch) const override;
   PatchBounds enclose(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
   PlaneBends bends(const RasterPatch& patch, const Interval& column, const Interval& row) const override;
