@@ -8,12 +8,17 @@
 #include <functional>
 #include <vector>
 
+#include "problems/graph/bucket_queue.hpp"
+
 namespace leastcost {
 
 /// The least cost from some sources to each node of a lattice in the plane, for a cost of n(x) times length: |grad u| =
 /// n by Dijkstra's order over the eight triangles around a node. A node also keeps its gradient, which is n times the
 /// direction of arrival, so that u along an edge is a cubic and the field has second order (jet marching: Potter,
 /// Cameron, J. Sci. Comput. 88, 2021). Where the gradients at the ends of an edge belong to two fronts, u is linear.
+///
+/// A move over an edge costs more than either of its ends by a part of the least n, so that nodes whose costs are
+/// nearer to each other than that do not depend on each other: they become final together (BucketQueue).
 class IsotropicMarch {
  public:
   /// Whether obstacles let the straight move between two places pass, in coordinates; empty: always.
@@ -41,12 +46,34 @@ class IsotropicMarch {
   std::vector<double> values() const;
 
  private:
+  /// One bit each in a byte of its own, so that those of eight neighbours fit into one number.
+  enum State : std::uint32_t { kOpen = 0, kFinal = 1, kBlocked = 1U << 8, kInBatch = 1U << 16 };
   struct Node {
     double u;
-    float px, py;        ///< the last move; the gradient once the node is final
-    float density;       ///< infinite: blocked, as the frame around the lattice is
-    std::int32_t final;  ///< 1: so it is, or blocked
+    float px, py;   ///< the last move; the gradient once the node is final
+    float density;  ///< infinite: blocked, as the frame around the lattice is
+    std::uint32_t state;
   };
+  /// A node of the ring around one that has just become final, and an edge of its own ring between that one and
+  /// another.
+  struct Triangle {
+    std::int32_t node, near, far, fourth;  ///< from the final one; `near` is beside the node, `far` diagonal to it
+    double off, edge;                      ///< from the node to `near`, and from there to `far`: signed, length units
+    bool off_x;                            ///< the former is along x, the latter along y
+  };
+  /// An edge that a least-cost move to a node crosses: u(near), what u is along it, n on a move, and slopes at its
+  /// ends.
+  struct Crossing {
+    double u, rise, curve_near, curve_far, n, dn, first, last;
+    std::int32_t node;
+    std::uint32_t triangle;
+  };
+  struct Direct {
+    double u;
+    std::int32_t node;
+    std::uint32_t ring;
+  };
+  struct Work;
   struct Offer {
     double u;
     double x, y;  ///< from the node to where the last move begins
@@ -54,10 +81,14 @@ class IsotropicMarch {
 
   std::int32_t number(std::int32_t i, std::int32_t j) const { return (j + 1) * width_ + i + 1; }
   Eigen::Vector2d place(std::int32_t node) const;
-  /// Over the edge between an axis neighbour and a diagonal one, both final; false: no least cost inside the edge.
-  bool inside_edge(const Node& node, std::size_t axis, std::int32_t near, std::int32_t far, double fourth,
-                   Offer& offer) const;
-  bool take(std::int32_t node, const Offer& offer);
+  void lay_triangles();
+  double bucket_width() const;
+  void accept(std::vector<std::int32_t>& batch);
+  void leave(std::int32_t node, Work& work);
+  void find_crossings(const Node& from, std::int32_t number, std::uint32_t triangles, Work& work) const;
+  void find_directs(const Node& from, std::int32_t number, std::uint32_t directions, Work& work) const;
+  Offer over(const Crossing& crossing) const;
+  void take(std::int32_t node, const Offer& offer, BucketQueue<std::int32_t>& queue);
   void finish(std::int32_t node);
 
   Lattice lattice_;
@@ -67,7 +98,8 @@ class IsotropicMarch {
   std::array<std::int32_t, 8> ring_{};      ///< to the neighbours, counter-clockwise
   std::array<Eigen::Vector2d, 8> moves_{};  ///< the same in length units
   std::array<double, 8> lengths_{};
-  std::vector<Node> nodes_;  ///< in a frame of one node
+  std::array<Triangle, 16> triangles_{};  ///< those with the next node of the ring, then those with the one before
+  std::vector<Node> nodes_;               ///< in a frame of one node
   std::vector<std::int32_t> started_;
 };
 
