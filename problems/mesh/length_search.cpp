@@ -96,7 +96,7 @@ class LengthCost {
 };
 
 /// Of a place in the table: all that a move to it asks for, two to a line of memory.
-struct LengthRecord {
+struct alignas(32) LengthRecord {
   std::uint32_t stamp = 0;  // of the query that reached it, so that nothing is ever cleared; one more: it was left
   std::int32_t predecessor = -1;
   double length = std::numeric_limits<double>::infinity();
