@@ -221,6 +221,11 @@ struct LengthSearch::State {
   /// Inline, because compilers leave calls out that they find to have no effect.
   [[gnu::always_inline]] void expect(bool diagonals) const {
     constexpr std::size_t kRecord = 12, kMoves = 6, kEnds = 2;  // nodes before
+    constexpr std::size_t kNearAnyway = 65536;                  // records
+    if (records.size() < kNearAnyway) {
+      if (const std::int32_t node = open.coming(0); node >= 0) moves.expect(records[at(node)].moves);
+      return;
+    }
     if (const std::int32_t node = open.coming(kRecord); node >= 0) __builtin_prefetch(&records[at(node)]);
     if (const std::int32_t node = open.coming(kMoves); node >= 0) moves.expect(records[at(node)].moves);
     if (const std::int32_t node = open.coming(kEnds); node >= 0 && records[at(node)].stamp == stamp)
