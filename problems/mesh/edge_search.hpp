@@ -228,6 +228,7 @@ class EdgeSearch {
       if (next.key > r.cost + r.rest) continue;  // a cheaper way was found since
       if (next.node == target_) return EdgePathOutcome::found;
       if (++settled_ % Cost::kLookEvery == 0 && *stop_ && (*stop_)()) return EdgePathOutcome::stopped;
+      if (!open_.empty() && is_vertex(open_.top().node)) __builtin_prefetch(mesh_->neighbours(open_.top().node).data());
       leave(next.node);
     }
     return EdgePathOutcome::no_finite_route;
@@ -257,7 +258,12 @@ class EdgeSearch {
       if (!is_vertex(target_) && target_point_.face == source_point_.face) go(node, here, so_far, target_);
       return;
     }
-    for (const std::int32_t to : mesh_->neighbours(node)) go(node, here, so_far, to);
+    const std::span<const std::int32_t> beside = mesh_->neighbours(node);
+    for (const std::int32_t to : beside) {  // memory is what a search on a large mesh waits for
+      __builtin_prefetch(&records_[static_cast<std::size_t>(to)]);
+      __builtin_prefetch(&mesh_->position(to));
+    }
+    for (const std::int32_t to : beside) go(node, here, so_far, to);
     if (diagonals_) leave_across(node, here, so_far);
     if (std::find(target_corners_.begin(), target_corners_.end(), node) != target_corners_.end())
       go(node, here, so_far, target_);

@@ -96,7 +96,7 @@ class LengthCost {
 };
 
 /// Of a place in the table: all that a move to it asks for, two to a line of memory.
-struct LengthRecord {
+struct alignas(32) LengthRecord {
   std::uint32_t stamp = 0;  // of the query that reached it, so that nothing is ever cleared; one more: it was left
   std::int32_t predecessor = -1;
   double length = std::numeric_limits<double>::infinity();
@@ -211,13 +211,29 @@ struct LengthSearch::State {
       record(node).moves = moves.make_moves(node, cost, 1 / cost_unit);
       meet();
     }
-    const std::span<const MoveTable::Move> all = moves.moves(record(node).moves, diagonals);
-    for (const MoveTable::Move& move : all) __builtin_prefetch(&records[static_cast<std::size_t>(move.to)]);
-    for (const MoveTable::Move& move : all)
+    for (const MoveTable::Move& move : moves.moves(record(node).moves, diagonals))
       reach(node, move.to, so_far + cost_unit * static_cast<double>(move.length), cost);
     if (target == kTarget && std::find(corners.begin(), corners.end(), node) != corners.end())
       reach(node, kTarget, so_far + cost(mesh->position(moves.vertex(node)), target_position), cost);
   }
+
+  /// Has brought near what the nodes ask for that come next: searches on large meshes wait for memory most of the time.
+  /// Inline, because compilers leave calls out that they find to have no effect.
+  [[gnu::always_inline]] void expect(bool diagonals) const {
+    constexpr std::size_t kRecord = 12, kMoves = 6, kEnds = 2;  // nodes before
+    constexpr std::size_t kNearAnyway = 65536;                  // records
+    if (records.size() < kNearAnyway) {
+      if (const std::int32_t node = open.coming(0); node >= 0) moves.expect(records[at(node)].moves);
+      return;
+    }
+    if (const std::int32_t node = open.coming(kRecord); node >= 0) __builtin_prefetch(&records[at(node)]);
+    if (const std::int32_t node = open.coming(kMoves); node >= 0) moves.expect(records[at(node)].moves);
+    if (const std::int32_t node = open.coming(kEnds); node >= 0 && records[at(node)].stamp == stamp)
+      for (const MoveTable::Move& move : moves.moves(records[at(node)].moves, diagonals))
+        __builtin_prefetch(&records[at(move.to)]);
+  }
+
+  static std::size_t at(std::int32_t place) { return static_cast<std::size_t>(place); }
 
   bool found() { return (record(target).stamp | 1) == (stamp | 1); }
 
@@ -230,7 +246,7 @@ struct LengthSearch::State {
       LengthRecord& r = record(node);
       if (r.stamp != stamp || node == target) continue;  // it was left, over a way that is no longer
       ++r.stamp;
-      if (const std::int32_t next = open.next(); next >= 0) moves.expect(record(next).moves);
+      expect(options.diagonals);
       if (++settled % LengthCost::kLookEvery == 0 && options.stop && options.stop()) return EdgePathOutcome::stopped;
       leave(node, options.diagonals, cost);
     }

@@ -19,9 +19,9 @@
 namespace leastcost {
 
 /// The moves of a mesh, kept from query to query: where the moves of every vertex that a search has left lead, and how
-/// long they are. Vertices have places, numbered in the order in which searches met them, so that what a search needs
-/// next lies beside what it used last. About 110 bytes of a vertex that was left, 8 of one that was only met, nothing
-/// of the others. The mesh must outlive it.
+/// long they are. Vertices have places, numbered in the order in which searches met them, later in patches, so that
+/// what a search needs next lies beside what it used last. About 110 bytes of a vertex that was left, 8 of one that was
+/// only met, nothing of the others. The mesh must outlive it.
 class MoveTable {
  public:
   MoveTable(const TriangleMesh& mesh, bool diagonals)
@@ -39,10 +39,7 @@ class MoveTable {
   /// Of a vertex, which counts as met from now on.
   std::int32_t place(std::int32_t vertex) {
     std::int32_t& known = place_of_[at(vertex)];  // from 1 on; 0: not met
-    if (known == 0) {
-      vertices_.push_back(vertex);
-      known = size();
-    }
+    if (known == 0) meet(vertex);
     return known - 1;
   }
 
@@ -81,16 +78,29 @@ class MoveTable {
   /// Has the moves brought near that will soon be asked for.
   void expect(std::uint32_t number) const {
     const char* first = reinterpret_cast<const char*>(moves_.data() + number);
-    __builtin_prefetch(first);
-    __builtin_prefetch(first + kLine);
+    for (std::ptrdiff_t line = 0; line < kLines; ++line) __builtin_prefetch(first + line * kLine);
   }
 
  private:
-  static constexpr std::ptrdiff_t kLine = 64;  // bytes of the cache
+  static constexpr std::ptrdiff_t kLine = 64, kLines = 3;  // of the cache: bytes, and how many hold a vertex's moves
   struct Free {
     void operator()(std::int32_t* numbers) const { std::free(numbers); }
   };
   static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
+  /// In large searches with those around it: what a later search comes to from another side lies together as well.
+  void meet(std::int32_t vertex) {
+    constexpr std::size_t kLarge = 16384, kPatch = 64;  // vertices
+    std::size_t next = vertices_.size();
+    const std::size_t limit = next + (next < kLarge ? 1 : kPatch);
+    number(vertex);
+    for (; next < vertices_.size() && vertices_.size() < limit; ++next)
+      for (const std::int32_t beside : mesh_->neighbours(vertices_[next]))
+        if (place_of_[at(beside)] == 0 && vertices_.size() < limit) number(beside);
+  }
+  void number(std::int32_t vertex) {
+    vertices_.push_back(vertex);
+    place_of_[at(vertex)] = size();
+  }
 
   const TriangleMesh* mesh_;
   bool diagonals_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace leastcost {
@@ -73,6 +74,7 @@ class SlotQueue {
     entries_.clear();
     later_.clear();
     near_.clear();
+    slot_.clear();
     lay_out(least, width);
   }
 
@@ -89,11 +91,10 @@ class SlotQueue {
 
   /// Whether nothing waits. Asked before pop() and floor().
   bool empty() {
-    while (list_ == kNone && near_.empty()) {
+    while (taken_ == slot_.size() && near_.empty()) {
       while (current_ < used_ && heads_[current_] == kNone) ++current_;
       if (current_ < used_) {
-        list_ = heads_[current_];
-        heads_[current_] = kNone;
+        open_slot();
       } else if (later_.empty()) {
         return true;
       } else {
@@ -103,17 +104,13 @@ class SlotQueue {
     return false;
   }
   /// Nothing that waits has a lesser key.
-  double floor() const { return list_ != kNone ? least_ + static_cast<double>(current_) * width_ : near_.top().key; }
-  std::int32_t pop() {
-    if (list_ == kNone) return near_.pop().node;
-    const Entry& entry = entries_[static_cast<std::size_t>(list_)];
-    list_ = entry.next;
-    return entry.open.node;
+  double floor() const {
+    return taken_ < slot_.size() ? least_ + static_cast<double>(current_) * width_ : near_.top().key;
   }
-  /// The node that comes next if nothing is pushed before it, or -1: not known yet.
-  std::int32_t next() const {
-    if (list_ != kNone) return entries_[static_cast<std::size_t>(list_)].open.node;
-    return near_.empty() ? -1 : near_.top().node;
+  std::int32_t pop() { return taken_ < slot_.size() ? slot_[taken_++] : near_.pop().node; }
+  /// The node that comes after `others` more, or -1: not known yet.
+  std::int32_t coming(std::size_t others) const {
+    return taken_ + others < slot_.size() ? slot_[taken_ + others] : kNone;
   }
 
  private:
@@ -129,7 +126,16 @@ class SlotQueue {
     width_ = width;
     per_width_ = 1 / width;
     current_ = used_ = 0;
-    list_ = kNone;
+    taken_ = slot_.size();
+  }
+  void open_slot() {
+    slot_.clear();
+    taken_ = 0;
+    for (std::int32_t e = std::exchange(heads_[current_], kNone); e != kNone;) {
+      const Entry& entry = entries_[static_cast<std::size_t>(e)];
+      slot_.push_back(entry.open.node);
+      e = entry.next;
+    }
   }
   /// What lies beyond the slots, into wider ones.
   void bring_later() {
@@ -142,7 +148,8 @@ class SlotQueue {
   }
 
   OpenHeap near_;                    // pushed into the current slot
-  std::int32_t list_ = kNone;        // what is left of the current slot, into entries_
+  std::vector<std::int32_t> slot_;   // nodes of the current one, in the order in which they are taken out
+  std::size_t taken_ = 0;            // of these
   std::vector<std::int32_t> heads_;  // of the slots, into entries_
   std::vector<Entry> entries_;
   std::vector<OpenNode> later_;

@@ -95,11 +95,13 @@ bool StringShot::leave_strip(const Strip& strip, std::size_t first, std::size_t 
 
 /// Straight on until the face that holds the goal's place in the plane.
 bool StringShot::fly() {
-  for (;;) {
-    Door door = exit(door_.left_vertex);
+  for (bool left = true;; left = !left) {  // a line tends to leave by either side in turn
+    Door door = exit(left ? door_.left_vertex : door_.right_vertex);
     UnfoldedDoor ahead = beyond(door);
-    if (side_of(ahead.right) > 0) {  // the face's third corner is left of the line
-      door = exit(door_.right_vertex);
+    const bool tip_is_left = side_of(left ? ahead.right : ahead.left) > 0;  // the face's third corner
+    if (tip_is_left == left) {
+      left = !left;
+      door = exit(left ? door_.left_vertex : door_.right_vertex);
       ahead = beyond(door);
     }
     if (!behind(ahead, goal_)) return true;  // the goal comes before this door

@@ -67,10 +67,10 @@ Door Unfolding::turn(std::int32_t previous, std::int32_t halfedge) const {
   Door door{halfedge, previous, keeps_tail ? tail : head, keeps_tail ? head : tail};
   const Eigen::Vector3d kept = vertex(door.kept);
   const Eigen::Vector3d to_last = vertex(door.kept == a ? b : a) - kept, to_tip = vertex(door.tip) - kept;
-  const double dot = to_last.dot(to_tip), cross = to_last.cross(to_tip).norm();
-  const double scale = std::sqrt(dot * dot + cross * cross);
+  const double dot = to_last.dot(to_tip), squared_cross = to_last.cross(to_tip).squaredNorm();
+  const double scale = std::sqrt(dot * dot + squared_cross);
   door.length = to_tip.norm();
-  if (scale > 0) door.cosine = dot / scale, door.sine = cross / scale;
+  if (scale > 0) door.cosine = dot / scale, door.sine = std::sqrt(squared_cross) / scale;
   return door;
 }
 
@@ -103,13 +103,6 @@ Eigen::Vector2d Unfolding::place(const UnfoldedDoor& door, const Eigen::Vector3d
   return door.right + c.from_b * door.along + off;
 }
 
-UnfoldedDoor Unfolding::next_door(const UnfoldedDoor& last, const Door& door) {
-  const bool keeps_left = door.kept == last.left_vertex;
-  const Eigen::Vector2d along = rotated(last.along, {door.cosine, keeps_left ? door.sine : -door.sine});
-  if (keeps_left) return {last.left, last.left + door.length * along, along, door.kept, door.tip};
-  return {last.right - door.length * along, last.right, along, door.tip, door.kept};
-}
-
 void Unfolding::lay_out(const StripEnd& from, std::span<const Door> doors, const StripEnd& to) {
   doors_.clear();
   if (doors.empty()) {
@@ -124,7 +117,11 @@ void Unfolding::lay_out(const StripEnd& from, std::span<const Door> doors, const
   first.right = {-start.from_b, start.y};
   doors_.resize(doors.size());
   doors_[0] = first;
-  for (std::size_t i = 1; i < doors.size(); ++i) doors_[i] = next_door(doors_[i - 1], doors[i]);
+  DoorInPlane behind(first);
+  for (std::size_t i = 1; i < doors.size(); ++i) {
+    behind.go_on(doors[i]);
+    doors_[i] = behind.door();
+  }
   end_ = place(doors_.back(), position(to.position), 1.0);
 }
 

@@ -62,6 +62,41 @@ struct UnfoldedDoor {
   std::int32_t left_vertex, right_vertex;
 };
 
+/// The door that a walk through a strip is at. In numbers of its own, which stay in registers from door to door.
+class DoorInPlane {
+ public:
+  explicit DoorInPlane(const UnfoldedDoor& door)
+      : left_x_(door.left.x()),
+        left_y_(door.left.y()),
+        right_x_(door.right.x()),
+        right_y_(door.right.y()),
+        x_(door.along.x()),
+        y_(door.along.y()),
+        left_(door.left_vertex),
+        right_(door.right_vertex) {}
+
+  void go_on(const Door& next) {
+    const bool keeps_left = next.kept == left_;
+    const double sine = keeps_left ? next.sine : -next.sine, x = x_;
+    x_ = x * next.cosine - y_ * sine;
+    y_ = x * sine + y_ * next.cosine;
+    if (keeps_left) {
+      right_x_ = left_x_ + next.length * x_;
+      right_y_ = left_y_ + next.length * y_;
+    } else {
+      left_x_ = right_x_ - next.length * x_;
+      left_y_ = right_y_ - next.length * y_;
+    }
+    left_ = keeps_left ? next.kept : next.tip;
+    right_ = keeps_left ? next.tip : next.kept;
+  }
+  UnfoldedDoor door() const { return {{left_x_, left_y_}, {right_x_, right_y_}, {x_, y_}, left_, right_}; }
+
+ private:
+  double left_x_, left_y_, right_x_, right_y_, x_, y_;
+  std::int32_t left_, right_;
+};
+
 /// Lays strips out. Reusable: keeps its memory.
 class Unfolding {
  public:
@@ -95,7 +130,11 @@ class Unfolding {
   CornerAngles angles_in_face(std::int32_t face, std::int32_t v, const StripEnd& towards) const;
   /// How door `halfedge` lies to the one before it, `previous`.
   Door turn(std::int32_t previous, std::int32_t halfedge) const;
-  static UnfoldedDoor next_door(const UnfoldedDoor& last, const Door& door);
+  static UnfoldedDoor next_door(const UnfoldedDoor& last, const Door& door) {
+    DoorInPlane behind(last);
+    behind.go_on(door);
+    return behind.door();
+  }
   /// A point (in coordinates A x) of the face behind the door (sign +1) or before it (-1), in the plane.
   Eigen::Vector2d place(const UnfoldedDoor& door, const Eigen::Vector3d& p, double sign) const;
 

@@ -82,6 +82,36 @@ TEST_CASE("length search: the lengths of the search that asks for every move, wi
   CHECK(10 * settled_aimed < 9 * settled);
 }
 
+TEST_CASE("length search: on a large mesh it finds the lengths of the search that asks for every move") {
+  Random random;
+  PolygonSoup soup = sphere(4);
+  for (Eigen::Vector3d& p : soup.positions) p *= random.uniform(0.9, 1.1);
+  MeshOptions finer;
+  finer.subdivide = 3;
+  const TriangleMesh mesh(soup, finer);
+  REQUIRE(mesh.vertex_count() > 65536);  // vertices are numbered in patches, and memory is asked for early
+  EdgeGraphSearch by_moves(mesh);
+  LengthSearch search(mesh);
+  const MoveCost length = [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return (b - a).norm(); };
+  for (int k = 0; k < 3; ++k) {
+    const std::int32_t v = random.integer(0, mesh.vertex_count() - 1), w = random.integer(0, mesh.vertex_count() - 1);
+    const std::vector<double> all = search.lengths_from(v);
+    const SurfacePoint from = vertex_point(mesh, v), to = vertex_point(mesh, w);
+    for (const bool diagonals : {false, true}) {
+      CAPTURE(k, diagonals);
+      EdgePathOptions options;
+      options.lower_bound = [goal = mesh.position(w)](const Eigen::Vector3d& p) { return (goal - p).norm(); };
+      options.diagonals = diagonals;
+      const EdgePath expected = by_moves.shortest(from, to, length, options);
+      const EdgePath found = search.shortest(from, to, {.diagonals = diagonals});
+      REQUIRE(found.found());
+      CHECK(found.cost == Approx(expected.cost).epsilon(1e-6));
+      CHECK(lies_on(mesh, found.path));
+      if (diagonals) CHECK(all[static_cast<std::size_t>(w)] == Approx(found.cost).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("length search: a constant metric is the Euclidean one on a mesh that was turned") {
   Random random;
   const TriangleMesh mesh = dented_sphere(random);

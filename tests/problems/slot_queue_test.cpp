@@ -3,6 +3,8 @@
 #include "problems/mesh/slot_queue.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -27,11 +29,15 @@ TEST_CASE("slot queue: what waits is never below the floor, comes out once, and 
       };
       for (int i = 0; i < 50; ++i) push(5 + random.uniform(0, 3));
       double highest_floor = 5;
+      std::array<std::int32_t, 3> announced{-1, -1, -1};  // of the next ones, those that the queue foretold
+      std::size_t taken = 0;
       while (!queue.empty()) {
         const double floor = queue.floor();
         highest_floor = std::max(highest_floor, floor);
-        const std::int32_t next = queue.next(), node = queue.pop();
+        const std::int32_t next = queue.coming(0), later = queue.coming(2), node = queue.pop();
         CHECK((next < 0 || next == node));
+        CHECK((announced[taken % 3] < 0 || announced[taken % 3] == node));
+        announced[(taken++ + 2) % 3] = later;
         REQUIRE(waits[static_cast<std::size_t>(node)] == 1);
         waits[static_cast<std::size_t>(node)] = 0;
         const double key = keys[static_cast<std::size_t>(node)];
