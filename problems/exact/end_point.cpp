@@ -6,6 +6,18 @@ namespace leastcost {
 namespace {
 
 constexpr double kPositionError = 8;  // roundings of the largest coordinate: three products and two sums
+constexpr double kAtVertex = 1e-12;   // barycentric, as of vertex_at
+
+/// The vertex that a place in a face with corners at one place is at: between these corners. -1: it is at none.
+std::int32_t vertex_of_needle(const HalfEdges& mesh, const SurfacePoint& p) {
+  for (const std::int32_t v : mesh.mesh().face(p.face)) {
+    double weight = 0;
+    for (int k = 0; k < 3; ++k)
+      if (mesh.position(mesh.tail(3 * p.face + k)) == mesh.position(v)) weight += p.barycentric[k];
+    if (weight >= 1 - kAtVertex) return v;
+  }
+  return -1;
+}
 
 }  // namespace
 
@@ -14,6 +26,7 @@ EndPoint end_point(const HalfEdges& mesh, const SurfacePoint& p) {
   EndPoint end;
   end.position = place.position;
   end.vertex = place.vertex;
+  if (end.vertex < 0 && mesh.is_needle(p.face)) end.vertex = vertex_of_needle(mesh, p);
   if (end.vertex >= 0) {
     end.position = mesh.position(end.vertex);
     return end;

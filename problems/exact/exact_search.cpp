@@ -69,7 +69,8 @@ QueryLimits limits_of(const ExactOptions& options) {
 }
 
 /// The mesh moved to the origin where it lies far from there: the position of an end is then as exact as lengths are.
-/// Differences of coordinates that are alike are exact, so that the lengths stay as they were.
+/// It is moved only along axes on which no coordinate is more than twice another one. Differences of such coordinates
+/// are exact (Sterbenz), so that all lengths stay as they were. On other axes it is not far away.
 std::optional<MetricMesh> brought_near(const TriangleMesh& mesh) {
   constexpr double kFar = 16;  // times its extent
   Eigen::AlignedBox3d box;
@@ -77,7 +78,13 @@ std::optional<MetricMesh> brought_near(const TriangleMesh& mesh) {
   if (box.isEmpty()) return std::nullopt;
   const double reach = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (!(reach > kFar * box.sizes().maxCoeff())) return std::nullopt;
-  return std::optional<MetricMesh>(std::in_place, mesh, Eigen::Matrix3d(Eigen::Matrix3d::Identity()));
+  Eigen::Vector3d centre = mesh.position(0);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double low = box.min()[axis], high = box.max()[axis];
+    const bool alike = low > 0 ? high <= 2 * low : low >= 2 * high;
+    if (!alike) centre[axis] = 0;
+  }
+  return std::optional<MetricMesh>(std::in_place, mesh, Eigen::Matrix3d(Eigen::Matrix3d::Identity()), centre);
 }
 
 /// What is known of one pair, from the path that the query began with on.

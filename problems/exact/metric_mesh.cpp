@@ -26,8 +26,8 @@ PolygonSoup turned(const TriangleMesh& mesh, const Eigen::Matrix3d& root, const 
 
 }  // namespace
 
-MetricMesh::MetricMesh(const TriangleMesh& mesh, const Eigen::Matrix3d& root)
-    : root_(root), inverse_(root.inverse()), centre_(mesh.position(0)), mesh_(turned(mesh, root, centre_)) {
+MetricMesh::MetricMesh(const TriangleMesh& mesh, const Eigen::Matrix3d& root, const Eigen::Vector3d& centre)
+    : root_(root), inverse_(root.inverse()), centre_(centre), mesh_(turned(mesh, root, centre_)) {
   // All corners differ and all vertices are used, so that nothing was left out.
   assert(mesh_.vertex_count() == mesh.vertex_count() && mesh_.face_count() == mesh.face_count());
 }

@@ -11,7 +11,8 @@ namespace leastcost {
 /// coordinates.
 class MetricMesh {
  public:
-  MetricMesh(const TriangleMesh& mesh, const Eigen::Matrix3d& root);
+  MetricMesh(const TriangleMesh& mesh, const Eigen::Matrix3d& root) : MetricMesh(mesh, root, mesh.position(0)) {}
+  MetricMesh(const TriangleMesh& mesh, const Eigen::Matrix3d& root, const Eigen::Vector3d& centre);
 
   const TriangleMesh& mesh() const { return mesh_; }
   SurfacePath there(SurfacePath path) const;

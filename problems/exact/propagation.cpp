@@ -170,6 +170,20 @@ void Propagation<Real>::start_in_face(const EndPoint& source, std::int32_t face)
     reach(v, {straight * (1 - 8 * kEpsilon) - source.error, straight * (1 + 8 * kEpsilon) + source.error, straight, 0},
           -1, -1, direction, slack);
     if (source.edge >= 0 && same_ends(*mesh_, h, source.edge)) continue;
+    const bool beside_vertex = std::min(straight, from_head.norm()) <= 4 * source.error;
+    if (mesh_->is_needle(face) && !(s.length > 0 && beside_vertex)) {
+      // The source is on both long sides, and paths start into the faces behind them. What lies behind the short side,
+      // whose ends are at one place, is reached along edges.
+      if (s.length > 0 && leads_out(h)) {
+        Window<Real> w;
+        w.end = Real(s.length);
+        w.x = Real((mesh_->position(mesh_->head(h)) - mesh_->position(v)).dot(from_tail) / s.length);
+        w.error = 2 * source.error + 2 * kSideError * kEpsilon * straight;
+        w.rise = w.error;
+        add(h, true, w);
+      }
+      continue;
+    }
     if (!(s.length > 0) || !(s.y > 0)) {
       block(rest(v) - straight);
       continue;

@@ -114,6 +114,8 @@ class Propagation {
   void turn_at_ends(std::int32_t h, Window<Real>& w) const;
   void block(double key);
   void propagate(std::int32_t waiting);
+  std::int32_t needle_exit(std::int32_t h) const;
+  bool leads_out(std::int32_t side) const;
   bool cross_needle(const Window<Real>& w, std::int32_t id);
   void leave(const Exit& exit, const Real& b0, const Real& b1, bool to_far, const Window<Real>& w, std::int32_t id);
   double around_ends(const Exit& exit, const Real& b0, const Real& b1, double wider0, double wider1,

@@ -199,21 +199,40 @@ void Propagation<Real>::propagate(std::int32_t waiting) {
   }
 }
 
+/// Of a face with two corners at one place: the side over which leaves what enters over h, which is as long. -1 for
+/// other faces.
+template <class Real>
+std::int32_t Propagation<Real>::needle_exit(std::int32_t h) const {
+  const Eigen::Vector3d& third = mesh_->position(mesh_->tail(TriangleMesh::previous(h)));
+  if (third == mesh_->position(mesh_->head(h))) return TriangleMesh::previous(h);
+  return third == mesh_->position(mesh_->tail(h)) ? TriangleMesh::next(h) : -1;
+}
+
+/// Whether what leaves such a face over this side comes to another face, or to a border. Else it goes round in a ring
+/// of needles.
+template <class Real>
+bool Propagation<Real>::leads_out(std::int32_t side) const {
+  for (std::int32_t h = mesh_->across(side); h >= 0;) {
+    if (h / 3 == side / 3) return false;
+    const std::int32_t exit = needle_exit(h);
+    if (exit < 0) return true;
+    h = mesh_->across(exit);
+  }
+  return true;
+}
+
 /// A face with two corners at one place has no inside: its two other sides are one segment, and what enters over one of
 /// them leaves over the other at the same place. What goes round through the corners goes along edges. False for other
 /// faces without height, and beside an edge of three faces, where needles could go round in a circle.
 template <class Real>
 bool Propagation<Real>::cross_needle(const Window<Real>& w, std::int32_t id) {
-  const std::int32_t h = w.halfedge, to_right = TriangleMesh::next(h), to_left = TriangleMesh::previous(h);
-  const std::int32_t a = mesh_->tail(h), b = mesh_->head(h), c = mesh_->tail(to_left);
-  const bool with_head = mesh_->position(c) == mesh_->position(b);
-  if (!with_head && mesh_->position(c) != mesh_->position(a)) return false;
-  const std::int32_t exit = with_head ? to_left : to_right;
-  if (mesh_->across(h) < 0 || mesh_->across(exit) == TriangleMesh::kNonManifold) return false;
+  const std::int32_t h = w.halfedge, exit = needle_exit(h);
+  if (exit < 0 || mesh_->across(h) < 0 || mesh_->across(exit) == TriangleMesh::kNonManifold) return false;
   Window<Real> next = w;
   next.parent = id;
   next.parts = -1;
-  add(exit, mesh_->tail(exit) == (with_head ? a : c), next);
+  // Coordinates run from the place of the tail of h: in either case the head of the exit is there.
+  add(exit, false, next);
   return true;
 }
 
@@ -361,7 +380,9 @@ void Propagation<Real>::see_target(const Window<Real>& w, std::int32_t id) {
 
 template void Propagation<double>::add(std::int32_t, bool, Window<double>&);
 template void Propagation<double>::propagate(std::int32_t);
+template bool Propagation<double>::leads_out(std::int32_t) const;
 template void Propagation<DoubleDouble>::add(std::int32_t, bool, Window<DoubleDouble>&);
 template void Propagation<DoubleDouble>::propagate(std::int32_t);
+template bool Propagation<DoubleDouble>::leads_out(std::int32_t) const;
 
 }  // namespace leastcost

@@ -121,7 +121,128 @@ Counts compare_split(Random& random, double amplitude, int meshes) {
   return counts;
 }
 
+/// A place in a face without inside, and the same place in a face of the mesh without such faces, which comes first.
+struct Places {
+  SurfacePoint plain, needle;
+};
+
+/// Of sheet `split`, whose vertices are at the places of those of `whole`.
+std::vector<Places> places_in_needles(Random& random, const Sheet& whole, const Sheet& split) {
+  std::vector<Places> places;
+  for (std::size_t f = whole.faces.size(); f < split.faces.size(); ++f) {
+    const Eigen::Vector3d weights(random.integer(0, 2) == 0 ? 0 : random.uniform(0, 1), random.uniform(0, 1),
+                                  random.integer(0, 2) == 0 ? 0 : random.uniform(0, 1));
+    for (std::size_t g = 0; g < whole.faces.size(); ++g) {
+      Eigen::Vector3d same = Eigen::Vector3d::Zero();
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i)
+          if (whole.positions[static_cast<std::size_t>(whole.faces[g][static_cast<std::size_t>(i)])] ==
+              split.positions[static_cast<std::size_t>(split.faces[f][static_cast<std::size_t>(k)])])
+            same[i] += weights[k];
+      if (!(same.sum() > weights.sum() * (1 - 1e-9))) continue;
+      places.push_back(
+          {{static_cast<std::int32_t>(g), same / same.sum()}, {static_cast<std::int32_t>(f), weights / weights.sum()}});
+      break;
+    }
+  }
+  return places;
+}
+
+/// Paths from and to places in faces without inside, and places on the edges beside them.
+Counts compare_ends(Random& random, double amplitude, int meshes) {
+  Counts counts;
+  for (int k = 0; k < meshes; ++k) {
+    const Sheet plain = random_sheet_of(random, amplitude);
+    Sheet sheet = plain;
+    const TriangleMesh whole(plain.soup());
+    const int around = random.integer(0, static_cast<int>(plain.positions.size()) - 1);
+    for (int i = 0; i < 8; ++i)
+      split(random, sheet, i % 2 == 0 ? around : random.integer(0, static_cast<int>(sheet.positions.size()) - 1));
+    const std::vector<Places> places = places_in_needles(random, plain, sheet);
+    std::vector<SurfacePoint> extra;
+    for (const Places& p : places) extra.push_back(p.plain);
+    const ExactReference reference(whole, extra);
+    if (!reference.complete()) continue;
+    const std::size_t vertices = reference.count() - extra.size();
+    const TriangleMesh mesh(sheet.soup());
+    const ExactSearch search(mesh);
+    ExactSearch::Workspace workspace(search);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const ExactDistances all = search.distances(places[i].needle, workspace, {.max_windows = 100'000});
+      counts.wrong_distances += all.complete ? 0 : 1;
+      for (std::size_t j = 0; j < reference.count(); ++j) {
+        const double truth = static_cast<double>(reference.distance(vertices + i, j)), rounding = 1e-14 * (truth + 10);
+        if (j < vertices && (all.at_least[j] > truth + rounding || all.at_most[j] < truth - rounding ||
+                             !(all.at_most[j] - all.at_least[j] < 1e-10 * truth + rounding)))
+          ++counts.wrong_distances;
+        if (!(truth > 1e-3) || random.integer(0, 3) > 0) continue;
+        // Between a needle and a vertex, a needle, a place on an edge that may be beside one.
+        const bool is_vertex = j < vertices;
+        const SurfacePoint to = is_vertex                   ? vertex_point(mesh, static_cast<std::int32_t>(j))
+                                : random.integer(0, 1) == 0 ? places[j - vertices].needle
+                                                            : places[j - vertices].plain;
+        const bool turned = random.integer(0, 1) == 0;
+        const ExactResult found = search.shortest(turned ? to : places[i].needle, turned ? places[i].needle : to,
+                                                  workspace, {.max_windows = 100'000});
+        ++counts.pairs;
+        counts.unproved += found.is_proved() ? 0 : 1;
+        if (found.lower_bound > truth + rounding || found.length < truth - rounding ||
+            found.length > truth * (1 + 1e-9) + rounding)
+          ++counts.wrong;
+      }
+    }
+  }
+  return counts;
+}
+
 }  // namespace
+
+TEST_CASE("exact: paths begin and end in faces with two corners at one place") {
+  const double amplitude = GENERATE(0.0, 0.5, 2.0);
+  CAPTURE(amplitude);
+  Random random(43);
+  const Counts counts = compare_ends(random, amplitude, test::trials(40));
+  CHECK(counts.pairs > (kSanitized ? 30 : 500));
+  CHECK(counts.unproved == 0);
+  CHECK(counts.wrong == 0);
+  CHECK(counts.wrong_distances == 0);
+}
+
+TEST_CASE("exact: in a ring of faces with two corners at one place a search ends") {
+  // Corners 3, 4, 5 are at the place of corner 1, and joined to corner 0 alone.
+  PolygonSoup soup;
+  for (const Eigen::Vector3d& p : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, 1, 0)})
+    soup.positions.push_back(p);
+  for (int i = 0; i < 3; ++i) soup.positions.push_back(soup.positions[1]);
+  add_polygon(soup, {0, 1, 2});
+  for (int i = 0; i < 3; ++i) add_polygon(soup, {0, 3 + i, 3 + (i + 1) % 3});
+  const TriangleMesh mesh(soup);
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const SurfacePoint inside{1, Eigen::Vector3d(0.5, 0.2, 0.3)}, beside{1, Eigen::Vector3d(0, 0.2, 0.8)};
+  const ExactDistances all = search.distances(inside, workspace, {.max_windows = 1000});
+  CHECK(all.complete);
+  CHECK(all.distance[2] == Approx(1.5));
+  CHECK(search.distances(beside, workspace, {.max_windows = 1000}).distance[2] == Approx(2));
+}
+
+TEST_CASE("exact: far from the origin along one axis what is small along another one stays as it is") {
+  PolygonSoup soup;
+  const double small = 1e-13;
+  for (const auto& [y, z] : {std::array{0.7, 0.3}, {0.0, 0.0}, {small, 0.0}, {0.0, small}, {1.0, 0.0}, {0.0, 1.0}})
+    soup.positions.emplace_back(1e6, y, z);
+  add_polygon(soup, {1, 2, 3});
+  add_polygon(soup, {2, 4, 0});
+  add_polygon(soup, {3, 2, 0});
+  add_polygon(soup, {3, 0, 5});
+  const TriangleMesh mesh(soup);
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const ExactDistances all = search.distances(vertex_point(mesh, 1), workspace);
+  CHECK(all.at_least[2] <= small);
+  CHECK(all.at_most[2] >= small);
+  CHECK(search.shortest(vertex_point(mesh, 1), vertex_point(mesh, 2), workspace).lower_bound <= small);
+}
 
 TEST_CASE("exact: faces with two corners at one place change no distance and block nothing") {
   const double amplitude = GENERATE(0.0, 0.5, 2.0);
