@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 #include <leastcost/framework/base/errors.hpp>
@@ -13,6 +12,7 @@
 #include <leastcost/framework/domain/checks_moves.hpp>
 #include <leastcost/framework/domain/manifold.hpp>
 #include <leastcost/problems/bracket/cost_density.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/cells/has_cost_cells.hpp"
 #include "problems/fields/arrival_field.hpp"
 #include "problems/fields/closed_lattice.hpp"
@@ -32,16 +32,6 @@ using Eigen::Vector2d;
 using Lattice2 = IsotropicMarch::Lattice;
 
 constexpr double kNoPath = std::numeric_limits<double>::infinity();
-constexpr int kDigits = 10;  // of a coordinate, which may be of a map
-
-std::string coordinates_in_words(const Eigen::VectorXd& place) {
-  std::ostringstream out;
-  out.precision(kDigits);
-  out << '(';
-  for (Eigen::Index i = 0; i < place.size(); ++i) out << (i > 0 ? ", " : "") << place[i];
-  out << ')';
-  return out.str();
-}
 
 void check_problem(const Problem& problem) {
   if (problem.ring) throw InputError("field: a ring has no source: give ends");
@@ -184,7 +174,7 @@ void check_left(const Problem& problem, const std::vector<Eigen::VectorXd>& plac
     if (left) continue;
     const std::string why = why_not_left(problem, place, lattice);
     const std::string what =
-        "field: no path leaves the place " + coordinates_in_words(place) + ": " +
+        "field: no path leaves the place " + point_text(place) + ": " +
         (!why.empty() ? why : "it has no data, obstacles enclose it, or the steps of the lattice are too long");
     if (!why_without_cost(problem, place).empty()) throw InputError(what);
     throw NoWay(what);
@@ -207,10 +197,10 @@ void check_places(const std::vector<Eigen::VectorXd>& places, const LatticeBox& 
   const double tolerance = kRounding * (box.upper - box.lower).maxCoeff();
   for (const Eigen::VectorXd& place : places) {
     if (place.size() != 2 || !place.allFinite())
-      throw InputError("field: a place needs two finite coordinates (found " + coordinates_in_words(place) + ")");
+      throw InputError("field: a place needs two finite coordinates (found " + point_text(place) + ")");
     if (((place - box.lower).array() < -tolerance).any() || ((box.upper - place).array() < -tolerance).any())
-      throw InputError("field: the place " + coordinates_in_words(place) + " is outside the box from " +
-                       coordinates_in_words(box.lower) + " to " + coordinates_in_words(box.upper));
+      throw InputError("field: the place " + point_text(place) + " is outside the box from " + point_text(box.lower) +
+                       " to " + point_text(box.upper));
   }
 }
 

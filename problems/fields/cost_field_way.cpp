@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include <leastcost/framework/energy/path_energy.hpp>
 #include <leastcost/problems/fields/cost_field.hpp>
 #include <leastcost/problems/fields/space_field.hpp>
+#include "framework/base/point_text.hpp"
 #include "problems/fields/arrival_field.hpp"
 #include "problems/fields/closed_lattice.hpp"
 #include "problems/fields/field_descent.hpp"
@@ -28,14 +28,6 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kImpossible = std::numeric_limits<double>::infinity();
-
-std::string in_words(const Vector2d& x) {
-  constexpr int kDigits = 10;  // of a map, whose places are far from its origin
-  std::ostringstream out;
-  out.precision(kDigits);
-  out << '(' << x[0] << ", " << x[1] << ')';
-  return out.str();
-}
 
 /// The same by a field of arrivals at the target, whose nodes know where their last move came from: where a current
 /// leaves few directions, the values alone do not say it. Without points where that is lost too.
@@ -107,21 +99,21 @@ std::vector<Vector2d> way_down(const CostField& field, const Problem& problem, c
                     in_period({field.lower, field.step, field.count}, field.seams, field.poles, place));
   const Vector2d last = field.node(field.count[0] - 1, field.count[1] - 1);
   if (((place - field.lower + field.step).array() < 0).any() || ((last + field.step - place).array() < 0).any())
-    throw InputError("field: the place " + in_words(place) + " is outside the field, which reaches from " +
-                     in_words(field.lower) + " to " + in_words(last));
+    throw InputError("field: the place " + point_text(place) + " is outside the field, which reaches from " +
+                     point_text(field.lower) + " to " + point_text(last));
   if (!is_reached(field, place))
     throw NoWay("field: no path leads " + std::string(field.to_places ? "from" : "to") + " the place " +
-                in_words(place) + ": it has no data, or obstacles or places without data lie between");
+                point_text(place) + ": it has no data, or obstacles or places without data lie between");
   std::vector<Vector2d> way = steepest_way(field, problem, place);
   if (!field.to_places) std::reverse(way.begin(), way.end());
   if (!(cost_or_infinite(problem, way) < kImpossible)) way = way_in_current(field, problem, place, std::move(way));
   const std::string why = way.empty() ? why_without_cost(problem, place) : "";
   if (!why.empty())
     throw InputError("field: there is no way " + std::string(field.to_places ? "from" : "to") + " the place " +
-                     in_words(place) + ": " + why);
+                     point_text(place) + ": " + why);
   if (way.empty())
     throw InputError("field: the way " + std::string(field.to_places ? "from" : "to") + " the place " +
-                     in_words(place) + " is lost between the nodes: use a smaller resolution");
+                     point_text(place) + " is lost between the nodes: use a smaller resolution");
   std::vector<Vector2d> tight = tightened(problem, way, field.step.minCoeff(), {field.lower, last});
   return cost_of_way(problem, tight) < cost_of_way(problem, way) ? tight : way;
 }
