@@ -22,6 +22,10 @@ Real clamped(const Real& x, const Real& low, const Real& high) {
 /// costs, which takes time.
 constexpr double kAround = 1e-12;
 
+/// Where two vertices are nearly at one place, windows of one may go round the other without end. Else an edge has some
+/// hundred, in a lattice with noise ten thousand.
+constexpr std::int32_t kMostOverEdge = 1'000'000;
+
 }  // namespace
 
 /// The window of paths that leave a face through its side `from_side`, in coordinates that run from the side's tail or
@@ -57,6 +61,7 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
   if (!join(h, length, w) && is_sliver(w, length) && merged(h, length, w)) return;
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
+  if (++edge(h).windows > kMostOverEdge) return block(key);
   w.halfedge = h;
   ++windows_;
   std::int32_t id = static_cast<std::int32_t>(pool_.size());

@@ -69,6 +69,7 @@ struct EdgeState {
   /// far side of the better one's ray (Chen and Han 1990).
   double apex_at_most = std::numeric_limits<double>::infinity(), apex_crossing = 0, apex_margin = 0;
   std::int32_t waiting = -1;  ///< the last window that entered over the edge, by its place in memory, or -1
+  std::int32_t windows = 0;   ///< number of windows that entered over the edge
 };
 
 /// Faults on purpose, for tests that must find them.

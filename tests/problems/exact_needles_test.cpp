@@ -255,4 +255,27 @@ TEST_CASE("exact: faces with two corners at one place change no distance and blo
   CHECK(counts.wrong_distances == 0);
 }
 
+/// A window of one of them goes round the other: its image is as near to that one as its error.
+TEST_CASE("exact: distances end beside two vertices that are nearly at one place", "[slow_sanitized]") {
+  PolygonSoup soup;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) soup.positions.emplace_back(i, j, i == 1 && j == 1 ? 0 : (i + j) % 2 * 0.1);
+  soup.positions.emplace_back(soup.positions[4] + Eigen::Vector3d(1e-15, 0, 0));
+  const std::array<int, 8> ring = {0, 1, 2, 5, 8, 7, 6, 3};
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    add_polygon(soup, {k < 4 ? 4 : 9, ring[k], ring[(k + 1) % ring.size()]});
+  add_polygon(soup, {9, 0, 4});
+  add_polygon(soup, {4, 8, 9});
+  const TriangleMesh mesh(soup);
+  const ExactSearch search(mesh);
+  ExactSearch::Workspace workspace(search);
+  const auto here = [&](int v) { return mesh.vertex_of_file(v); };
+  const ExactDistances all = search.distances(vertex_point(mesh, here(1)), workspace, {.max_windows = 100'000'000});
+  CHECK_FALSE(all.stopped);
+  const double straight = (mesh.position(here(2)) - mesh.position(here(1))).norm();
+  const std::size_t beside = static_cast<std::size_t>(here(2));
+  CHECK(all.at_least[beside] <= straight * (1 + 1e-15));
+  CHECK(all.at_most[beside] >= straight * (1 - 1e-15));
+}
+
 }  // namespace leastcost::test
