@@ -56,9 +56,9 @@ double Propagation<Real>::lower_bound() const {
 template <class Real>
 bool Propagation<Real>::is_spent(const QueryLimits& limits, std::int64_t step) {
   constexpr double kWaiting = 2 * (sizeof(Window<Real>) + sizeof(WindowQueue::Entry)), kTaken = 2 * sizeof(Taken),
-                   kParts = 2 * sizeof(Part);
+                   kParts = 2 * sizeof(Part), kSlivers = 2 * sizeof(Sliver<Real>);
   out_of_memory_ = kWaiting * static_cast<double>(pool_.size()) + kTaken * static_cast<double>(taken_.size()) +
-                       kParts * static_cast<double>(parts_.size()) >
+                       kParts * static_cast<double>(parts_.size()) + kSlivers * static_cast<double>(slivers_.size()) >
                    limits.max_memory;
   if (out_of_memory_ || windows_ > limits.max_windows) return true;
   if (step % kLook != 0) return false;

@@ -33,6 +33,7 @@ class SliverTable {
   std::int32_t first(std::int32_t halfedge, std::int32_t root) const {
     return slots_.empty() ? -1 : slots_[find(slots_, halfedge, root)].first_in(query_);
   }
+  std::size_t size() const { return slivers_.size(); }  ///< number of slivers
   Sliver<Real>& operator[](std::int32_t i) { return slivers_[static_cast<std::size_t>(i)]; }
 
   void add(std::int32_t halfedge, const Window<Real>& w) {

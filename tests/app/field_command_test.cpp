@@ -26,6 +26,17 @@ ends:
   target: {point: [3, 1]}
 )";
 
+/// A plane with four walls around (1, 1).
+std::string closed_room() {
+  std::string walls =
+      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: euclidean\nclearance: 0.01\nobstacles:\n";
+  for (const char* corners :
+       {"[0.7, 0.7], [1.3, 0.7], [1.3, 0.8], [0.7, 0.8]", "[0.7, 1.2], [1.3, 1.2], [1.3, 1.3], [0.7, 1.3]",
+        "[0.7, 0.7], [0.8, 0.7], [0.8, 1.3], [0.7, 1.3]", "[1.2, 0.7], [1.3, 0.7], [1.3, 1.3], [1.2, 1.3]"})
+    walls += std::string("  - {type: polygon, corners: [") + corners + "]}\n";
+  return walls;
+}
+
 }  // namespace
 
 TEST_CASE("field command: the same values as CSV, NPY and ASC") {
@@ -208,13 +219,7 @@ TEST_CASE("field command: costs of 0 and negative ones in every direction and pl
   const Called negative = field("type: formula, lagrangian: \"-sqrt(vx^2 + vy^2)\"", {"--to", "3,1"});
   CHECK(negative.exit == 4);
   CHECK_THAT(negative.err, Contains("no path leaves the place (1, 1)") && Contains("F = -1"));
-  std::string walls =
-      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: euclidean\nclearance: 0.01\nobstacles:\n";
-  for (const char* corners :
-       {"[0.7, 0.7], [1.3, 0.7], [1.3, 0.8], [0.7, 0.8]", "[0.7, 1.2], [1.3, 1.2], [1.3, 1.3], [0.7, 1.3]",
-        "[0.7, 0.7], [0.8, 0.7], [0.8, 1.3], [0.7, 1.3]", "[1.2, 0.7], [1.3, 0.7], [1.3, 1.3], [1.2, 1.3]"})
-    walls += std::string("  - {type: polygon, corners: [") + corners + "]}\n";
-  const std::string room = text_file(dir / "room.yaml", walls);
+  const std::string room = text_file(dir / "room.yaml", closed_room());
   const Called enclosed = call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.05"});
   CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place: obstacles"));
   const Called strip = call({"field", room, "-o", (dir / "f.asc").string(), "--from", "3,1", "--resolution", "0.3"});
@@ -238,13 +243,7 @@ TEST_CASE("field command: a field that cannot be relied on is written with a not
   CHECK(coarse.exit == 5);
   CHECK_THAT(summary["notes"].dump(), Contains("the error may be larger than every value: use a smaller --resolution"));
 
-  std::string walls =
-      "manifold: {type: euclidean, lower: [0, 0], upper: [4, 2]}\ncost: euclidean\nclearance: 0.01\nobstacles:\n";
-  for (const char* corners :
-       {"[0.7, 0.7], [1.3, 0.7], [1.3, 0.8], [0.7, 0.8]", "[0.7, 1.2], [1.3, 1.2], [1.3, 1.3], [0.7, 1.3]",
-        "[0.7, 0.7], [0.8, 0.7], [0.8, 1.3], [0.7, 1.3]", "[1.2, 0.7], [1.3, 0.7], [1.3, 1.3], [1.2, 1.3]"})
-    walls += std::string("  - {type: polygon, corners: [") + corners + "]}\n";
-  const std::string room = text_file(dir / "room.yaml", walls);
+  const std::string room = text_file(dir / "room.yaml", closed_room());
   const Called enclosed = call({"field", room, "-o", out, "--from", "1,1", "--resolution", "0.05"});
   CHECK(enclosed.exit == 5);
   CHECK_THAT(enclosed.out, Contains("note: no path leads farther than 5 steps from the place"));

@@ -218,16 +218,9 @@ TEST_CASE("exact: a lattice with little noise takes few more windows than one wi
   const int n = kSanitized ? 20 : 60;
   const auto noisy = [&](double noise) {
     Random random(7);
-    PolygonSoup soup;
-    for (int j = 0; j < n; ++j)
-      for (int i = 0; i < n; ++i) soup.positions.emplace_back(i, j, noise * random.normal());
-    for (int j = 0; j + 1 < n; ++j)
-      for (int i = 0; i + 1 < n; ++i) {
-        const int a = j * n + i, b = a + 1, d = a + n, c = d + 1;
-        add_polygon(soup, {a, b, c});
-        add_polygon(soup, {a, c, d});
-      }
-    return TriangleMesh(soup);
+    return TriangleMesh(sheet(n - 1, n - 1, [&](double x, double y) {
+      return Eigen::Vector3d(std::round((n - 1) * x), std::round((n - 1) * y), noise * random.normal());
+    }));
   };
   const auto distances = [](const TriangleMesh& mesh) {
     const ExactSearch search(mesh);
