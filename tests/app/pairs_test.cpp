@@ -41,6 +41,12 @@ std::vector<Json> lines_of(const fs::path& folder) {
   return lines;
 }
 
+/// The whole lines that a killed run left. The system may tear one write of many lines at the end of any page.
+std::size_t whole_lines_left(const fs::path& folder) {
+  const std::string text = content(folder / "paths.jsonl");
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
 /// What two runs must have in common.
 std::vector<Json> lines_without_seconds(const fs::path& folder) {
   std::vector<Json> lines = lines_of(folder);
@@ -456,10 +462,11 @@ TEST_CASE("pairs on the bunny: killed and resumed with two threads, the same lin
   for (int i = 0; i < kMostPauses && !(fs::file_size(dir / "out/paths.jsonl", error) > 0 && !error); ++i)
     std::this_thread::sleep_for(kPause);
   ::kill(killed.pid, SIGKILL);
-  CHECK(killed.wait() == 1000 + SIGKILL);
-  const std::size_t left = lines_of(dir / "out").size();
+  const int ended = killed.wait();
+  CHECK((ended == 1000 + SIGKILL || ended == 7));  // on a busy machine all pairs may be done before the signal
+  const std::size_t left = whole_lines_left(dir / "out");
   CHECK(left > 0);
-  CHECK(left <= kPairs);
+  CHECK(left <= kPairs + 1);
   CHECK(begin("out", {"--resume", "-j", "2"}).wait() == 7);
   CHECK(lines_without_seconds(dir / "out") == whole);
 }
