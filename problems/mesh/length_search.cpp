@@ -21,8 +21,9 @@ using Vector = Eigen::Vector3d;
 
 /// Floats of two lengths are off by half of this, relative to the longer.
 constexpr float kFloatRounding = 4 * std::numeric_limits<float>::epsilon();
-/// The place of a vertex, seen from another one in floats, is off by less, relative to the mesh's diameter.
-constexpr double kPlaceRounding = std::numeric_limits<float>::epsilon();
+/// Straight lines between places in floats are off by less, relative to the mesh's diameter: at each end half an
+/// epsilon of every coordinate, and three more of their length.
+constexpr float kLineRounding = 6 * std::numeric_limits<float>::epsilon();
 
 /// The length in one constant metric.
 class LengthCost {
@@ -47,18 +48,25 @@ class LengthCost {
     return {std::sqrt((along * along + depth * depth) / squared), at};
   }
 
+  /// A displacement in floats, in coordinates where its length is its norm.
+  Eigen::Vector3f in_floats(const Vector& d, double unit) const {
+    if (options_->metric) return (*options_->metric * d / unit).cast<float>();
+    return (d / unit).cast<float>();
+  }
+
   /// The landmarks' distances to the target: one in another component says nothing, and infinite values only get in the
   /// way.
-  void aim(const Vector& goal, std::span<const std::int32_t> vertices, const Vector& origin) {
-    goal_ = goal;
-    from_origin_ = goal - origin;
-    rounding_ = kPlaceRounding * mesh_->diameter() * (options_->metric ? options_->metric->norm() : 1.0);
+  void aim(const Vector& goal, std::span<const std::int32_t> vertices, const Vector& origin, double unit) {
+    goal_ = in_floats(goal - origin, unit);
+    unit_ = unit;
+    rounding_ = kLineRounding *
+                static_cast<float>(mesh_->diameter() / unit * (options_->metric ? options_->metric->norm() : 1.0));
     aims_ = true;
     if (options_->landmarks == nullptr) return;
     const EdgeLandmarks& landmarks = *options_->landmarks;
     target_fields_.assign(static_cast<std::size_t>(landmarks.count()), std::numeric_limits<float>::infinity());
     for (const std::int32_t v : vertices) {
-      const double further = (*this)(mesh_->position(v), goal_);
+      const double further = (*this)(mesh_->position(v), goal);
       const std::span<const float> fields = landmarks.of(v);
       for (std::size_t i = 0; i < fields.size(); ++i)
         target_fields_[i] = std::min(target_fields_[i], static_cast<float>(static_cast<double>(fields[i]) + further));
@@ -67,10 +75,10 @@ class LengthCost {
       target_fields_.clear();
   }
 
-  /// The straight line, and what the landmarks leave open; from a place in the table, at x from the origin.
-  double rest(const MoveTable& table, std::int32_t place, const Vector& x) const {
+  /// The straight line, and what the landmarks leave open; from a place in the table, and where it is in_floats().
+  double rest(const MoveTable& table, std::int32_t place, const Eigen::Vector3f& at) const {
     if (!aims_) return 0;
-    const double straight = std::max(0.0, (*this)(x, from_origin_) - rounding_);
+    const double straight = unit_ * static_cast<double>(std::max(0.0F, (at - goal_).norm() - rounding_));
     if (target_fields_.empty()) return straight;
     float best = 0;
     const std::span<const float> fields = options_->landmarks->of(table.vertex(place));
@@ -89,8 +97,9 @@ class LengthCost {
 
   const TriangleMesh* mesh_;
   const LengthSearchOptions* options_;
-  Vector goal_ = Vector::Zero(), from_origin_ = Vector::Zero();
-  double rounding_ = 0;               // of straight lines to the target
+  Eigen::Vector3f goal_ = Eigen::Vector3f::Zero();  // from the search's origin, in_floats()
+  double unit_ = 1;
+  float rounding_ = 0;                // of straight lines to the goal, in units
   std::vector<float> target_fields_;  // of the landmarks, at the target
   bool aims_ = false;
 };
@@ -101,7 +110,7 @@ struct alignas(32) LengthRecord {
   std::int32_t predecessor = -1;
   double length = std::numeric_limits<double>::infinity();
   std::uint32_t moves = 0;        // number in the table; 0: not made
-  Eigen::Vector3f position = {};  // from the origin of the search, in its units
+  Eigen::Vector3f position = {};  // from the origin of the search, LengthCost::in_floats()
 };
 static_assert(sizeof(LengthRecord) == 32);
 
@@ -119,8 +128,7 @@ struct LengthSearch::State {
   static constexpr std::int32_t kSource = -1, kTarget = -2;
   static constexpr double kSlotsPerEdge = 8;  // of the queue: mean edge over width
 
-  explicit State(const TriangleMesh& of)
-      : mesh(&of), moves(of, false), origin(of.position(0)), unit(power_of_two(of.diameter())) {}
+  explicit State(const TriangleMesh& of) : mesh(&of), moves(of, false), origin(of.position(0)) {}
 
   void begin(const LengthSearchOptions& options, const LengthCost& cost) {
     if (!same_metric(metric, options.metric) || (options.diagonals && !moves.diagonals())) {
@@ -130,7 +138,7 @@ struct LengthSearch::State {
       width = 0;
     }
     if (!(width > 0)) {
-      cost_unit = power_of_two(options.metric ? unit * options.metric->norm() : unit);
+      unit = power_of_two(mesh->diameter() * (options.metric ? options.metric->norm() : 1.0));
       width = mean_edge(cost) / kSlotsPerEdge;
     }
     stamp += 2;
@@ -165,16 +173,17 @@ struct LengthSearch::State {
     if (t < 0)
       for (std::size_t k = 0; k < 3; ++k) corners[k] = moves.place(mesh->face(to.face)[k]);
     cost.aim(t < 0 ? target_position : mesh->position(t),
-             t < 0 ? std::span<const std::int32_t>(mesh->face(to.face)) : std::span<const std::int32_t>(&t, 1), origin);
-    meet();
+             t < 0 ? std::span<const std::int32_t>(mesh->face(to.face)) : std::span<const std::int32_t>(&t, 1), origin,
+             unit);
+    meet(cost);
     ends = {};
   }
 
   /// Records of the vertices that were met since.
-  void meet() {
+  void meet(const LengthCost& cost) {
     while (records.size() < static_cast<std::size_t>(moves.size())) {
       const std::int32_t v = moves.vertex(static_cast<std::int32_t>(records.size()));
-      records.push_back({.position = ((mesh->position(v) - origin) / unit).cast<float>()});
+      records.push_back({.position = cost.in_floats(mesh->position(v) - origin, unit)});
     }
   }
 
@@ -183,7 +192,7 @@ struct LengthSearch::State {
   }
 
   double rest(std::int32_t node, const LengthRecord& r, const LengthCost& cost) const {
-    return node >= 0 ? cost.rest(moves, node, unit * r.position.cast<double>()) : 0;
+    return node >= 0 ? cost.rest(moves, node, r.position) : 0;
   }
 
   void reach(std::int32_t from, std::int32_t node, double length, const LengthCost& cost) {
@@ -200,7 +209,7 @@ struct LengthSearch::State {
     if (node < 0) {  // the source, inside a face
       for (const std::int32_t v : mesh->face(source_face)) {
         const std::int32_t corner = moves.place(v);
-        meet();
+        meet(cost);
         reach(node, corner, cost(source_position, mesh->position(v)), cost);
       }
       if (target == kTarget && target_face == source_face)
@@ -208,11 +217,11 @@ struct LengthSearch::State {
       return;
     }
     if (record(node).moves == 0) {
-      record(node).moves = moves.make_moves(node, cost, 1 / cost_unit);
-      meet();
+      record(node).moves = moves.make_moves(node, cost, 1 / unit);
+      meet(cost);
     }
     for (const MoveTable::Move& move : moves.moves(record(node).moves, diagonals))
-      reach(node, move.to, so_far + cost_unit * static_cast<double>(move.length), cost);
+      reach(node, move.to, so_far + unit * static_cast<double>(move.length), cost);
     if (target == kTarget && std::find(corners.begin(), corners.end(), node) != corners.end())
       reach(node, kTarget, so_far + cost(mesh->position(moves.vertex(node)), target_position), cost);
   }
@@ -268,7 +277,7 @@ struct LengthSearch::State {
   MetricRoot metric;
   MoveTable moves;
   Vector origin;
-  double unit, cost_unit = 1;         // of the floats: no mesh is too large or too small for them
+  double unit = 1;                    // of lengths in floats: no mesh is too large or too small for them
   std::vector<LengthRecord> records;  // of the places
   std::array<LengthRecord, 2> ends;   // of the target, of the source, where they are no vertices
   SlotQueue open;
@@ -317,7 +326,7 @@ std::vector<double> LengthSearch::lengths_from(std::int32_t vertex, const Length
   const LengthCost cost(*state.mesh, all);
   state.begin(all, cost);
   state.source = state.moves.place(vertex);
-  state.meet();
+  state.meet(cost);
   state.target = State::kTarget;
   state.run(all, cost);
   std::vector<double> lengths(static_cast<std::size_t>(state.mesh->vertex_count()),

@@ -84,7 +84,7 @@ class SlotQueue {
     if (!(slots < static_cast<double>(kSlots))) return later_.push_back(node);
     const std::size_t slot = static_cast<std::size_t>(slots);
     if (slot >= heads_.size()) heads_.resize(std::min(kSlots, 2 * slot + 1), kNone);
-    entries_.push_back({node, heads_[slot]});
+    entries_.push_back({node.node, heads_[slot]});
     heads_[slot] = static_cast<std::int32_t>(entries_.size()) - 1;
     used_ = std::max(used_, slot + 1);
   }
@@ -117,8 +117,7 @@ class SlotQueue {
   static constexpr std::int32_t kNone = -1;
   static constexpr std::size_t kSlots = std::size_t{1} << 16;
   struct Entry {
-    OpenNode open;
-    std::int32_t next;
+    std::int32_t node, next;
   };
 
   void lay_out(double least, double width) {
@@ -133,7 +132,7 @@ class SlotQueue {
     taken_ = 0;
     for (std::int32_t e = std::exchange(heads_[current_], kNone); e != kNone;) {
       const Entry& entry = entries_[static_cast<std::size_t>(e)];
-      slot_.push_back(entry.open.node);
+      slot_.push_back(entry.node);
       e = entry.next;
     }
   }

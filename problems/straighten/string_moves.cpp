@@ -158,12 +158,10 @@ bool StringMover::keep_shot(const TautString& string, std::size_t first, std::si
 
 /// Shots over parts of a stretch with one corner, from large to small.
 bool StringMover::try_corners(const TautString& string, std::size_t first, std::size_t last, double before) {
-  const StripEnd from = string.nodes[first].end, to = string.nodes[last].end;
   const std::int32_t corner = string.nodes[first + 1].end.vertex;
   const double doors = static_cast<double>(strip_.doors.size());
   for (double fraction = 0.5; fraction * doors >= kShortestShot; fraction *= 0.25)
-    if (shot_.cut_corner(from, strip_, to, corner, fraction, straight_) && keep_shot(string, first, last, before))
-      return true;
+    if (shot_.cut_corner(corner, fraction, straight_) && keep_shot(string, first, last, before)) return true;
   return false;
 }
 
@@ -176,7 +174,8 @@ bool StringMover::try_shot(const TautString& string, std::size_t first, std::siz
   const StripEnd from = string.nodes[first].end, to = string.nodes[last].end;
   trim(puller_->mesh(), from, to, strip_);
   if (strip_.doors.size() < kShortestShot) return false;
-  if (shot_.shoot(from, strip_, to, straight_) && keep_shot(string, first, last, before)) return true;
+  shot_.aim(from, strip_, to);
+  if (shot_.shoot(straight_) && keep_shot(string, first, last, before)) return true;
   if (last - first == 2 && try_corners(string, first, last, before)) return true;
   failed_.insert(ends);
   return false;

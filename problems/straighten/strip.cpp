@@ -65,13 +65,17 @@ Door Unfolding::turn(std::int32_t previous, std::int32_t halfedge) const {
   const std::int32_t tail = mesh_->tail(halfedge), head = mesh_->head(halfedge);
   const bool keeps_tail = tail == a || tail == b;
   Door door{halfedge, previous, keeps_tail ? tail : head, keeps_tail ? head : tail};
+  measure(door.kept == a ? b : a, door);
+  return door;
+}
+
+void Unfolding::measure(std::int32_t last, Door& door) const {
   const Eigen::Vector3d kept = vertex(door.kept);
-  const Eigen::Vector3d to_last = vertex(door.kept == a ? b : a) - kept, to_tip = vertex(door.tip) - kept;
+  const Eigen::Vector3d to_last = vertex(last) - kept, to_tip = vertex(door.tip) - kept;
   const double dot = to_last.dot(to_tip), squared_cross = to_last.cross(to_tip).squaredNorm();
   const double scale = std::sqrt(dot * dot + squared_cross);
   door.length = to_tip.norm();
   if (scale > 0) door.cosine = dot / scale, door.sine = std::sqrt(squared_cross) / scale;
-  return door;
 }
 
 void Unfolding::append(const Door& door, Strip& strip) const {
@@ -104,7 +108,7 @@ Eigen::Vector2d Unfolding::place(const UnfoldedDoor& door, const Eigen::Vector3d
 }
 
 void Unfolding::lay_out(const StripEnd& from, std::span<const Door> doors, const StripEnd& to) {
-  doors_.clear();
+  doors_.resize(doors.size());
   if (doors.empty()) {
     end_ = {(position(to.position) - position(from.position)).norm(), 0.0};
     return;
@@ -115,7 +119,6 @@ void Unfolding::lay_out(const StripEnd& from, std::span<const Door> doors, const
   const EdgeCoordinates start(vertex(first.left_vertex), vertex(first.right_vertex), position(from.position));
   first.left = {-start.from_a, start.y};
   first.right = {-start.from_b, start.y};
-  doors_.resize(doors.size());
   doors_[0] = first;
   DoorInPlane behind(first);
   for (std::size_t i = 1; i < doors.size(); ++i) {

@@ -130,6 +130,8 @@ class Unfolding {
   CornerAngles angles_in_face(std::int32_t face, std::int32_t v, const StripEnd& towards) const;
   /// How door `halfedge` lies to the one before it, `previous`.
   Door turn(std::int32_t previous, std::int32_t halfedge) const;
+  /// The same for a door whose vertices are known; `last`: the end of the door before it that is not kept.
+  void measure(std::int32_t last, Door& door) const;
   static UnfoldedDoor next_door(const UnfoldedDoor& last, const Door& door) {
     DoorInPlane behind(last);
     behind.go_on(door);
