@@ -11,6 +11,7 @@
 #include <leastcost/framework/base/errors.hpp>
 #include <leastcost/problems/straighten/geodesic.hpp>
 #include <leastcost/problems/straighten/straighten.hpp>
+#include "problems/exact/gathered_mesh.hpp"
 #include "problems/exact/metric_mesh.hpp"
 #include "problems/exact/propagation.hpp"
 
@@ -87,11 +88,20 @@ std::optional<MetricMesh> brought_near(const TriangleMesh& mesh) {
   return std::optional<MetricMesh>(std::in_place, mesh, Eigen::Matrix3d(Eigen::Matrix3d::Identity()), centre);
 }
 
+/// An end of a query on the mesh that is searched, and where it is on the mesh before vertices were gathered.
+struct QueryEnd {
+  EndPoint end;
+  Eigen::Vector3d given;
+  std::int32_t face;
+};
+
 /// What is known of one pair, from the path that the query began with on.
 class PairKnowledge {
  public:
-  PairKnowledge(const TriangleMesh& mesh, const EndPoint& from, const EndPoint& to, const ExactOptions& options)
-      : mesh_(&mesh), from_(&from), to_(&to), options_(&options) {
+  /// `gathered`: the mesh that is searched, where that is not the given one; null: it is.
+  PairKnowledge(const TriangleMesh& mesh, const GatheredMesh* gathered, const QueryEnd& from, const QueryEnd& to,
+                const ExactOptions& options)
+      : mesh_(&mesh), gathered_(gathered), from_(&from), to_(&to), options_(&options) {
     if (options.start == nullptr) return;
     know(*options.start);
     given_ = result.length;
@@ -102,11 +112,16 @@ class PairKnowledge {
     result.length = rounded_up(path);
     result.path = std::move(path);
   }
+  /// Of the mesh that is searched.
+  void know_found(SurfacePath path) { know(back(std::move(path))); }
+
+  /// No path on the mesh that is searched needs to be longer.
+  double upper() const { return result.length + error(); }
 
   /// For the next run: shorter paths are sought, with the windows that are left.
   QueryLimits limits() const {
     QueryLimits limits = limits_of(*options_);
-    limits.upper = result.length;
+    limits.upper = upper();
     limits.slack = kSearchShare * options_->tolerance;
     limits.max_windows -= std::min(limits.max_windows, result.windows);
     return limits;
@@ -117,17 +132,19 @@ class PairKnowledge {
   bool take(const Propagation<Real>& run) {
     result.windows += run.windows();
     if (run.found() < result.length * (1 - kSearchShare * options_->tolerance) || result.path.points.empty()) {
-      SurfacePath path = straightened(*mesh_, run.path());
+      SurfacePath path = back(straightened(*mesh_, run.path()));
       if (!path.points.empty() && rounded_up(path) < result.length) know(std::move(path));
     }
-    result.lower_bound = std::min(std::max(result.lower_bound, run.lower_bound()), result.length);
+    result.lower_bound = std::max(result.lower_bound, run.lower_bound() - error());
+    if (gathered_ != nullptr) result.lower_bound = std::max(result.lower_bound, straight_line());
+    result.lower_bound = std::min(result.lower_bound, result.length);
     const double open = result.length - result.lower_bound;
     // Infinite both: there is no path, and that is proved.
     result.gap = result.lower_bound < result.length && result.length > 0 ? open / result.length : 0.0;
     if (std::isinf(result.length) && std::isfinite(result.lower_bound))
       result.gap = std::numeric_limits<double>::infinity();
     const double tolerance =
-        std::max(options_->tolerance, rounding_of_places(result.path, result.length, *from_, *to_));
+        std::max(options_->tolerance, rounding_of_places(result.path, result.length, from_->end, to_->end));
     if (result.gap <= tolerance) {
       const bool shorter = std::isfinite(given_) && result.length < given_ * (1 - tolerance);
       result.outcome = shorter ? ExactOutcome::improved : ExactOutcome::proved;
@@ -139,16 +156,25 @@ class PairKnowledge {
       return true;
     }
     result.outcome = ExactOutcome::blocked;
-    result.reason = run.blocked() ? "a shorter path could cross a degenerate face"
-                                  : "the rounding error is larger than the tolerance";
+    result.reason = run.crowded()   ? "more than a million windows reached one edge"
+                    : run.blocked() ? "a shorter path could cross a degenerate face"
+                                    : "the rounding error is larger than the tolerance";
     return false;
   }
 
   ExactResult result;
 
  private:
+  double error() const { return gathered_ != nullptr ? gathered_->error() : 0; }
+  SurfacePath back(SurfacePath path) const {
+    return gathered_ != nullptr ? gathered_->back(std::move(path), from_->given, to_->given, from_->face)
+                                : std::move(path);
+  }
+  double straight_line() const { return (from_->given - to_->given).norm() * (1 - 4 * kRoundingOf<double>); }
+
   const TriangleMesh* mesh_;
-  const EndPoint *from_, *to_;
+  const GatheredMesh* gathered_;
+  const QueryEnd *from_, *to_;
   const ExactOptions* options_;
   double given_ = std::numeric_limits<double>::infinity();
 };
@@ -157,12 +183,25 @@ class PairKnowledge {
 
 struct ExactSearch::Tables {
   Tables(const TriangleMesh& mesh, const Deadline& deadline)
-      : given(mesh), near(brought_near(mesh)), edges(near ? near->mesh() : mesh, deadline) {}
+      : given(mesh),
+        near(brought_near(mesh)),
+        gathered(GatheredMesh::of(before())),
+        edges(gathered ? gathered->mesh() : before(), deadline) {}
+  /// The mesh before vertices were gathered.
+  const TriangleMesh& before() const { return near ? near->mesh() : given; }
+  const GatheredMesh* if_gathered() const { return gathered ? &*gathered : nullptr; }
+  double error() const { return gathered ? gathered->error() : 0; }  ///< of distances, length units
+  QueryEnd end(const SurfacePoint& p) const {
+    QueryEnd found{end_point(edges, p), {}, p.face};
+    found.given = found.end.vertex >= 0 ? before().position(found.end.vertex) : before().point(p);
+    return found;
+  }
   SurfacePath there(SurfacePath path) const { return near ? near->there(std::move(path)) : std::move(path); }
   SurfacePath back(SurfacePath path) const { return near ? near->back(std::move(path)) : std::move(path); }
 
   const TriangleMesh& given;
-  std::optional<MetricMesh> near;  ///< the mesh moved to the origin, on which is searched; none: `given`
+  std::optional<MetricMesh> near;        ///< the mesh moved to the origin, on which is searched; none: `given`
+  std::optional<GatheredMesh> gathered;  ///< the one that is searched; none: `near` or `given`
   HalfEdges edges;
   Landmarks landmarks;
 };
@@ -177,11 +216,11 @@ struct ExactSearch::Workspace::Parts {
                          PairKnowledge& known) {
     const double straight = (from.position - to.position).norm();
     if (std::isinf(known.result.length) && FrontBound::is_worth(*edges, straight))
-      known.know(likely_path(source, target, stop));
+      known.know_found(likely_path(source, target, stop));
     if (std::isinf(known.result.length) || !(straight < kStraight * known.result.length)) return nullptr;
     const LowerBound back(*edges, &from, landmarks);
     fronts.aim(
-        from, to, known.result.length, [&back](std::int32_t v) { return back.from_vertex(v); }, stop);
+        from, to, known.upper(), [&back](std::int32_t v) { return back.from_vertex(v); }, stop);
     return fronts.helps() ? &fronts : nullptr;
   }
 
@@ -242,11 +281,12 @@ ExactResult ExactSearch::shortest(const SurfacePoint& source, const SurfacePoint
                                   const ExactOptions& options) const {
   const HalfEdges& edges = tables_->edges;
   Workspace::Parts& parts = *workspace.parts_;
-  const EndPoint from = end_point(edges, source), to = end_point(edges, target);
+  const QueryEnd ends[] = {tables_->end(source), tables_->end(target)};
+  const EndPoint &from = ends[0].end, &to = ends[1].end;
   ExactOptions near = options;
   std::optional<SurfacePath> start;
   if (options.start != nullptr) near.start = &start.emplace(tables_->there(*options.start));
-  PairKnowledge known(edges.mesh(), from, to, near);
+  PairKnowledge known(edges.mesh(), tables_->if_gathered(), ends[0], ends[1], near);
   const auto found = [&] {
     known.result.path = tables_->back(std::move(known.result.path));
     return std::move(known.result);
@@ -282,11 +322,12 @@ ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Wor
   for (const SurfacePoint& source : sources) from.push_back(end_point(edges, source));
   Propagation<double>& run = workspace.parts_->quick;
   QueryLimits limits = limits_of(options);
-  limits.upper = options.max_distance * (1 + kSameDistance);
+  const double error = tables_->error();
+  limits.upper = options.max_distance * (1 + kSameDistance) + error;
   run.run(from, nullptr, LowerBound(edges, nullptr, nullptr), limits);
   ExactDistances all;
   all.windows = run.windows();
-  all.seen_to = run.seen_to();
+  all.seen_to = std::max(0.0, run.seen_to() - error);
   all.blocked = run.blocked();
   all.stopped = run.stopped();
   all.complete = !all.stopped && !all.blocked;
@@ -295,8 +336,8 @@ ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Wor
   for (std::int32_t v = 0; v < edges.mesh().vertex_count(); ++v) {
     const VertexReach& reach = run.reached(v);
     const bool asked_for = reach.at_least <= limits.upper;  // what lies beyond was met by chance
-    all.at_least.push_back(std::min(reach.at_least, all.seen_to));
-    all.at_most.push_back(asked_for ? reach.at_most : std::numeric_limits<double>::infinity());
+    all.at_least.push_back(std::min(std::max(0.0, reach.at_least - error), all.seen_to));
+    all.at_most.push_back(asked_for ? reach.at_most + error : std::numeric_limits<double>::infinity());
     all.distance.push_back(asked_for ? std::clamp(reach.about, all.at_least.back(), all.at_most.back())
                                      : std::numeric_limits<double>::infinity());
   }
@@ -306,7 +347,8 @@ ExactDistances ExactSearch::distances(std::span<const SurfacePoint> sources, Wor
 std::vector<SurfacePath> ExactSearch::paths(const SurfacePoint& source, std::span<const std::int32_t> vertices,
                                             Workspace& workspace, const ExactOptions& options) const {
   const HalfEdges& edges = tables_->edges;
-  const EndPoint from = end_point(edges, source);
+  const QueryEnd end = tables_->end(source);
+  const EndPoint& from = end.end;
   Propagation<double>& run = workspace.parts_->quick;
   QueryLimits limits = limits_of(options);
   limits.keep_windows = true;
@@ -315,7 +357,10 @@ std::vector<SurfacePath> ExactSearch::paths(const SurfacePoint& source, std::spa
   paths.reserve(vertices.size());
   for (const std::int32_t v : vertices) {
     SurfacePath path = run.path_to(v);
-    paths.push_back(tables_->back(path.points.size() > 1 ? straightened(edges.mesh(), path) : std::move(path)));
+    if (path.points.size() > 1) path = straightened(edges.mesh(), path);
+    if (tables_->gathered)
+      path = tables_->gathered->back(std::move(path), end.given, tables_->before().position(v), end.face);
+    paths.push_back(tables_->back(std::move(path)));
   }
   return paths;
 }

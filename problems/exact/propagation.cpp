@@ -82,7 +82,7 @@ void Propagation<Real>::run(std::span<const EndPoint> sources, const EndPoint* t
   best_ = limits.upper;
   slack_ = limits.slack;
   limit_ = best_ * (1 - slack_);
-  target_at_least_ = target_at_most_ = blocked_ = kInfinity;
+  target_at_least_ = target_at_most_ = blocked_ = crowded_ = kInfinity;
   target_window_ = target_vertex_ = -1;
   open_ = 0;
   stopped_ = out_of_memory_ = false;

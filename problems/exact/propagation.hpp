@@ -42,6 +42,8 @@ class Propagation {
   double found() const { return target_at_most_; }
   /// Paths that could be shorter than the best run over a face without height.
   bool blocked() const { return blocked_ < limit_; }
+  /// Of these, some because more windows came to one edge than are taken.
+  bool crowded() const { return crowded_ < limit_; }
   /// The budget was spent, or somebody asked to stop.
   bool stopped() const { return stopped_; }
   /// That it was the memory.
@@ -164,7 +166,7 @@ class Propagation {
   const EndPoint *source_ = nullptr, *target_ = nullptr;
   const LowerBound* bound_ = nullptr;
   double best_ = 0, slack_ = 0, limit_ = 0;  // best length known; what ends the search
-  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, open_ = 0;
+  double target_at_least_ = 0, target_at_most_ = 0, blocked_ = 0, crowded_ = 0, open_ = 0;
   std::int32_t target_window_ = -1, target_vertex_ = -1;
   bool stopped_ = false, out_of_memory_ = false, keeps_ = true, sabotaged_ = false;
   bool by_distance_ = false;  // from the source, else by keys

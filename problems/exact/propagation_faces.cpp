@@ -22,7 +22,7 @@ Real clamped(const Real& x, const Real& low, const Real& high) {
 /// costs, which takes time.
 constexpr double kAround = 1e-12;
 
-/// Where two vertices are nearly at one place, windows of one may go round the other without end. Else an edge has some
+/// Beside faces that are nearly without height windows may go round a vertex without end. Else an edge has some
 /// hundred, in a lattice with noise ten thousand.
 constexpr std::int32_t kMostOverEdge = 1'000'000;
 
@@ -61,7 +61,10 @@ void Propagation<Real>::enter(std::int32_t h, std::int32_t from_side, bool from_
   if (!join(h, length, w) && is_sliver(w, length) && merged(h, length, w)) return;
   const double key = (w.sigma + rest_through(h, w)) * (1 - 2 * kEpsilon) - w.error;
   if (key >= limit_) return;
-  if (++edge(h).windows > kMostOverEdge) return block(key);
+  if (++edge(h).windows > kMostOverEdge) {
+    crowded_ = std::min(crowded_, key);
+    return block(key);
+  }
   w.halfedge = h;
   ++windows_;
   std::int32_t id = static_cast<std::int32_t>(pool_.size());
